@@ -9,11 +9,8 @@ arguments raise ValueError; files and points that cannot be used InputError. See
 """
 from __future__ import annotations
 
-import gzip
 import numbers
 import os
-import subprocess
-import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -320,8 +317,11 @@ def _text(value: Any) -> str:
     return value if isinstance(value, str) else ",".join(map(_text, np.ravel(value).tolist()))
 
 
-def _texts(rules: str, options: Dict[str, Any]) -> List[Tuple[str, str]]:
+def _texts(rules: str, normals: Any, options: Dict[str, Any]) -> Tuple[List[Tuple[str, str]], Any]:
+    """Options as keys and texts, and the normals unless they are a word."""
     texts = [("rules", rules)]
+    if isinstance(normals, str):
+        texts, normals = texts + [("normals", normals)], None
     for name, value in options.items():
         if name == "rule":
             texts += [("switches", f"{rule}={_text(setting)}") for rule, setting in value.items()]
@@ -329,13 +329,11 @@ def _texts(rules: str, options: Dict[str, Any]) -> List[Tuple[str, str]]:
             texts += [("what_if", line) for line in ([value] if isinstance(value, str) else value)]
         elif value is not None and value is not False:
             texts.append((name, _text(value)))
-    return texts
+    return texts, normals
 
 
 def _prepare(points: Any, normals: Any, rules: str, options: Dict[str, Any], progress: Progress = None) -> Any:
-    texts = _texts(rules, options)
-    if isinstance(normals, str):
-        texts, normals = texts + [("normals", normals)], None
+    texts, normals = _texts(rules, normals, options)
     if not isinstance(points, Prepared):
         return _core.prepare(_input(points, normals), texts, progress)
     if normals is not None:
@@ -351,6 +349,7 @@ def read(source: Union[str, bytes, "os.PathLike[str]"]) -> Points:
         with open(name, "rb") as file:
             packed = file.read(2)
     if packed == b"\x1f\x8b":
+        import gzip
         with gzip.open(name, "rb") as stream:
             content = stream.read(MOST_BYTES + 1)
         if len(content) > MOST_BYTES:
@@ -387,9 +386,7 @@ def best(points: Source, normals: Any = None, rules: str = "robust", progress: P
     places, in no count worse than that of the rules "robust". Raises as reconstruct()."""
     if isinstance(points, Prepared):
         raise ValueError("points: best() prepares them in several ways, give the points themselves")
-    texts = _texts(rules, options)
-    if isinstance(normals, str):
-        texts, normals = texts + [("normals", normals)], None
+    texts, normals = _texts(rules, normals, options)
     made, tried = _core.best(_input(points, normals), texts, progress)
     return Mesh(made, [Trial(*each) for each in tried])
 
@@ -402,23 +399,12 @@ def check(vertices: Source, triangles: Any = None, points: Optional[Source] = No
     return _verdict(_core.check(mesh, None if points is None else _prepare(points, normals, rules, options)))
 
 
-def _why(prepared: Any, point: Optional[int], edge: Any, triangle: Any, more: bool, progress: Progress) -> Answer:
-    subjects = [each for each in ([point] if point is not None else None, edge, triangle) if each is not None]
-    if len(subjects) != 1 or (edge is not None and len(edge) != 2) or (triangle is not None and len(triangle) != 3):
-        raise ValueError("expected one of point=P, edge=(P, Q), triangle=(P, Q, R)")
-    numbers_ = [int(p) for p in subjects[0]]
-    if any(p < 0 for p in numbers_):
-        raise ValueError("points are numbered from 0")
-    parts = _core.why(prepared, numbers_, more, progress)
-    return Answer(**{**parts, "lines": _lines(parts["lines"])})
-
-
 def why(points: Source, point: Optional[int] = None, edge: Optional[Sequence[int]] = None,
         triangle: Optional[Sequence[int]] = None, normals: Any = None, rules: str = "paper", more: bool = False,
         progress: Progress = None, **options: Any) -> Answer:
     """Why a point, an edge or a triangle is in the mesh of a run or not, with the proof (docs/why.md). more: up to 200
     inverted decisions instead of 20. Raises as reconstruct()."""
-    return _why(_prepare(points, normals, rules, options, progress), point, edge, triangle, more, progress)
+    return Run(points, normals, rules, **options).why(point, edge, triangle, more, progress)
 
 
 class Run:
@@ -468,7 +454,12 @@ class Run:
     def why(self, point: Optional[int] = None, edge: Optional[Sequence[int]] = None,
             triangle: Optional[Sequence[int]] = None, more: bool = False, progress: Progress = None) -> Answer:
         """As se.why(), of this run."""
-        return _why(self._run, point, edge, triangle, more, progress)
+        given = [(1, None if point is None else [point]), (2, edge), (3, triangle)]
+        subject = [each for each in given if each[1] is not None]
+        if len(subject) != 1 or len(subject[0][1]) != subject[0][0] or min(subject[0][1]) < 0:
+            raise ValueError("expected one of point=P, edge=(P, Q), triangle=(P, Q, R), numbered from 0")
+        parts = _core.why(self._run, list(map(int, subject[0][1])), more, progress)
+        return Answer(**{**parts, "lines": _lines(parts["lines"])})
 
     def mesh(self, progress: Progress = None) -> Mesh:
         """The mesh at the end of this run."""
@@ -541,6 +532,8 @@ class Stepper:
 def look(run: Union[Run, Stepper], viewer: str = _VIEWER) -> None:
     """Opens the viewer at the place of a run, and returns when its window is closed. viewer: the program, by its name
     on PATH or its path. What the user does there has no effect here. Raises OSError."""
+    import subprocess
+    import tempfile
     place = str(run.pivots) if isinstance(run, Stepper) else run.state.address or "0"
     with tempfile.TemporaryDirectory(prefix="spiraling-edge-") as folder:
         run._run.write_session(os.fsencode(folder), place)

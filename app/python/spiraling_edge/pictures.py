@@ -123,31 +123,20 @@ def state_svg(state, size: int) -> str:
             f'stroke-linejoin="round"><rect width="{size}" height="{height}" fill="#fff"/>' + "".join(parts) + "</svg>")
 
 
-def _fragments(xyz: np.ndarray, size: int):
-    """Pixel, depth, triangle and distance from the nearest edge in pixels, of all places that triangles (t, 3, 3)
-    cover: by groups of about the same extent."""
-    low = np.floor(xyz[:, :, :2].min(axis=1)).astype(int)
-    extent = (np.ceil(xyz[:, :, :2].max(axis=1)).astype(int) - low).max(axis=1) + 1
-    a, b, c = xyz[:, 0, :2], xyz[:, 1, :2], xyz[:, 2, :2]
-    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
-    sides = np.stack([np.linalg.norm(c - b, axis=1), np.linalg.norm(a - c, axis=1), np.linalg.norm(b - a, axis=1)], 1)
-    for bits in range(1, 13):
-        group = np.nonzero((extent <= 1 << bits) & (extent > (1 << bits) // 2 if bits > 1 else extent <= 2)
-                           & (np.abs(area) > 1e-9))[0]
-        step = max(1, (1 << 20) >> (2 * bits))
-        for chunk in (group[i:i + step] for i in range(0, len(group), step)):
-            grid = np.stack(np.meshgrid(*[np.arange(1 << bits)] * 2), -1).reshape(1, -1, 2)
-            place = low[chunk, None] + grid
-            d = place + 0.5 - a[chunk, None]
-            u, v = (b - a)[chunk, None], (c - a)[chunk, None]
-            w1 = (d[..., 0] * v[..., 1] - d[..., 1] * v[..., 0]) / area[chunk, None]
-            w2 = (u[..., 0] * d[..., 1] - u[..., 1] * d[..., 0]) / area[chunk, None]
-            weights = np.stack([1.0 - w1 - w2, w1, w2], -1)
-            inside = (weights >= 0).all(-1) & (place >= 0).all(-1) & (place < size).all(-1)
-            row, _ = np.nonzero(inside)
-            hit = weights[inside]
-            edge = (hit * np.abs(area[chunk])[row, None] / np.maximum(sides[chunk][row], 1e-9)).min(1)
-            yield place[inside] @ [1, size], (hit * xyz[chunk][row, :, 2]).sum(1), chunk[row], edge
+def _samples(xyz: np.ndarray):
+    """Places (m, 3) all over triangles (t, 3, 3), about four for each unit of area seen along z, with the triangle of
+    each and the distance from its nearest side."""
+    a, u, v = xyz[:, 0], xyz[:, 1] - xyz[:, 0], xyz[:, 2] - xyz[:, 0]
+    area = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    count = np.ceil(2.0 * area).astype(int) + 1
+    row = np.repeat(np.arange(len(xyz)), count)
+    turn = (np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count))[:, None]
+    share = (0.5 + turn * [0.7548776662466927, 0.5698402909980532]) % 1.0  # evenly spread in a square, then folded
+    share = np.where(share.sum(1, keepdims=True) > 1.0, 1.0 - share, share)
+    sides = np.linalg.norm(np.stack([u - v, v, u], 1)[:, :, :2], axis=2)
+    heights = area[:, None] / np.maximum(sides, 1e-9)
+    near = np.column_stack([1.0 - share.sum(1), share]) * heights[row]
+    return a[row] + share[:, :1] * u[row] + share[:, 1:] * v[row], row, near.min(1)
 
 
 def mesh_png(position: np.ndarray, triangles: np.ndarray, size: int, view: Sequence[float]) -> bytes:
@@ -168,11 +157,11 @@ def mesh_png(position: np.ndarray, triangles: np.ndarray, size: int, view: Seque
         normal[front] *= -1.0
         light = 0.3 + 0.7 * np.maximum(0.0, normal @ [-0.36, -0.48, 0.8])
         color = np.where(front[:, None], [178.0, 205.0, 232.0], [230.0, 140.0, 60.0]) * light[:, None]
-        pixel, depth, hit, edge = (np.concatenate(each) for each in zip(*_fragments(xyz, wide)))
-        order = np.argsort(depth, kind="stable")  # the nearest is written last
-        line = (edge < 1.0) & (len(triangles) < 6000)
-        picture[pixel[order]] = (color[hit] * np.where(line, 0.55, 1.0)[:, None])[order]
-    small = picture.reshape(size, 2, size, 2, 3).mean(axis=(1, 3)).clip(0, 255).astype(np.uint8)
+        place, row, near = _samples(xyz)
+        order = np.argsort(place[:, 2], kind="stable")  # the nearest is written last
+        shade = np.where((near < 1.0) & (len(triangles) < 6000), 0.55, 1.0)
+        picture[(place[:, :2].astype(int) @ [1, wide])[order]] = (color[row] * shade[:, None])[order]
+    small = picture.reshape(size, 2, size, 2, 3).mean(axis=(1, 3)).astype(np.uint8)
     rows = np.concatenate([np.zeros((size, 1), np.uint8), small.reshape(size, -1)], axis=1).tobytes()
 
     def chunk(kind: bytes, data: bytes) -> bytes:
