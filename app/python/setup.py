@@ -1,9 +1,10 @@
-"""Builds the compiled part by CMake, for `pip install ./app/python` from a checkout."""
+"""Builds the compiled part by CMake, for `pip install ./app/python` from a checkout. $CMAKE_ARGS: more options."""
+import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
-import tempfile
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -11,19 +12,18 @@ from setuptools.command.build_ext import build_ext
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DCMAKE_UNITY_BUILD=ON",
            "-DCMAKE_UNITY_BUILD_BATCH_SIZE=48", "-DSPIRALING_EDGE_PYTHON=ON", "-DSPIRALING_EDGE_BUILD_CLI=OFF",
-           "-DSPIRALING_EDGE_BUILD_VIEWER=OFF", "-DSPIRALING_EDGE_BUILD_TESTS=OFF"]
+           "-DSPIRALING_EDGE_BUILD_VIEWER=OFF", "-DSPIRALING_EDGE_BUILD_TESTS=OFF",
+           f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
 
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
-        target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run(["cmake", "-S", str(CHECKOUT), "-B", folder, *OPTIONS,
-                            f"-DPython_EXECUTABLE={sys.executable}"], check=True)
-            subprocess.run(["cmake", "--build", folder, "--parallel", "2", "--target", "spiraling_edge_core"],
-                           check=True)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(pathlib.Path(folder) / "python" / "spiraling_edge" / target.name, target)
+        target = pathlib.Path(self.get_ext_fullpath(ext.name))
+        subprocess.run(["cmake", "-S", CHECKOUT, "-B", self.build_temp, *OPTIONS], check=True)
+        subprocess.run(["cmake", "--build", self.build_temp, "--parallel", "--target", "spiraling_edge_core"],
+                       check=True)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(pathlib.Path(self.build_temp) / "python" / "spiraling_edge" / target.name, target)
 
 
 setup(ext_modules=[Extension("spiraling_edge._core", [])], cmdclass={"build_ext": CMakeBuild})
