@@ -59,7 +59,8 @@ step() { run "$@"; judge "$1"; }
 
 configure_asan() { cmake --preset asan -B build-test/asan; }
 # Core's own tests run in the other build; tests/cli compares golden logs of the two.
-lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests teach_tests core_bench viewer_bench driven-viewer agreement)
+lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests teach_tests core_bench viewer_bench driven-viewer agreement
+    spiraling_edge_python)
 lean_flags=(-DSPIRALING_EDGE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELEASE=-O2")
 configure_lean() {
     cmake --preset release -B build-test/lean -DSPIRALING_EDGE_BUILD_TESTS=ON \

@@ -34,6 +34,7 @@ mapfile -t teach < <(sources app/teach)
 viewer=()
 [ ! -d app/viewer ] || mapfile -t viewer < <(sources app/viewer)
 mapfile -t web < <(sources app/web)
+mapfile -t python < <(sources app/python)
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
@@ -74,6 +75,9 @@ no "$(include "$window|viewer|cli/|glm/gtc|stb|CLI/|fmt/|spiraling_edge/sampling
 no "$(include 'toml|cmark')" "only teach/ may use toml++ and cmark" "${cli[@]}" ${viewer[@]+"${viewer[@]}"}
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
+# python -> core
+no "$(include "$window|$programs|viewer|cli/|teach/|options/|spiraling_edge/sampling/")" "the Python package must not know" "${python[@]}"
+no "$(include 'pybind11/')" "only app/python may use pybind11" "${core[@]}" "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"}
 # viewer
 no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
@@ -111,13 +115,13 @@ no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_var
 no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_text.h" "${ours[@]}"
 
 # Files are written in one place, which leaves no partial file.
-mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" "${python[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/atomic_file\.(h|cpp)$')
 no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
     "only atomic_file.cpp may write files" "${not_writers[@]}"
 
 # Text goes to the terminal in few places, which let nothing through that a terminal would obey.
-mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" "${web[@]}" "${python[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '^app/(cli/(output/output|progress)|viewer/(main|options|application|run/strings)|teach/share/.*)\.(h|cpp)$')
 no '\b(f?printf|f?puts|fwrite|perror)\(|fmt::print\(|std::(cout|cerr|clog)\b' \
     "print by printText(), printNote() or printLines()" "${not_printers[@]}"
@@ -198,5 +202,5 @@ while read -r place; do breach "over 80 words: $place"; done < <(awk '
     { if (words == 0) line = FNR; words += NF - ($1 == "") }
     END { flush() }' README.md CONTRIBUTING.md docs/*.md)
 
-echo "layers: $breaches breaches in $((${#core[@]} + ${#cli[@]} + ${#teach[@]} + ${#viewer[@]})) files"
+echo "layers: $breaches breaches in $((${#core[@]} + ${#cli[@]} + ${#teach[@]} + ${#python[@]} + ${#viewer[@]})) files"
 [ "$breaches" = 0 ]

@@ -21,6 +21,8 @@ test=(
     doctest-dev libbenchmark-dev
     libnanoflann-dev     # the baseline of the neighbor search
     admesh assimp-utils librsvg2-bin ffmpeg  # other programs, to test written and read files
+    pybind11-dev python3-dev python3-numpy               # the Python package,
+    python3-pytest python3-pip python3-venv python3-matplotlib python3-meshio  # its tests and examples
     clang-format-14 clang-tidy-16
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )

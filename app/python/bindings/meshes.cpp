@@ -264,10 +264,12 @@ void bindMeshes(py::module_& module) {
     py::class_<Input>(module, "Input").def("parts", [](const Input& i) { return partsOf(i); });
     module.def("from_arrays", fromArrays);
     module.def("from_source", [](const std::string& source) {
-        return share(require<InputError>(readSource(source)), source);
+        const auto work = [&](const Progress&) { return readSource(source); };
+        return share(require<InputError>(longCall(py::none(), work)), source);
     });
     module.def("from_bytes", [](const std::string& bytes, const std::string& name) {
-        return share(require<InputError>(readPoints(bytes, name)), name);
+        const auto work = [&](const Progress&) { return readPoints(bytes, name); };
+        return share(require<InputError>(longCall(py::none(), work)), name);
     });
     py::class_<PreparedRun, SharedRun>(module, "PreparedRun")
         .def("parts", [](const PreparedRun& run) { return partsOf(run); })
