@@ -20,7 +20,8 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext):
         target = pathlib.Path(self.get_ext_fullpath(ext.name))
         subprocess.run(["cmake", "-S", CHECKOUT, "-B", self.build_temp, *OPTIONS], check=True)
-        subprocess.run(["cmake", "--build", self.build_temp, "--parallel", "--target", "spiraling_edge_core"],
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
+        subprocess.run(["cmake", "--build", self.build_temp, "--parallel", jobs, "--target", "spiraling_edge_core"],
                        check=True)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(pathlib.Path(self.build_temp) / "python" / "spiraling_edge" / target.name, target)

@@ -119,6 +119,11 @@ def test_wrong_options_are_refused_with_a_sentence(torus, options, sentence):
         se.reconstruct(points, **options)
 
 
+def test_a_switch_that_is_off_changes_nothing(torus):
+    off = {key: False for key in ("symmetric", "rim", "keep_opposing", "keep_noise", "keep_strays")}
+    assert np.array_equal(se.reconstruct(torus, **off).triangles, se.reconstruct(torus).triangles)
+
+
 def test_prepared_points_take_other_rules_alone(torus):
     prepared = se.prepare(torus, rules="paper", neighbors=10)
     assert np.array_equal(se.reconstruct(prepared, rules="paper").triangles,

@@ -327,7 +327,7 @@ def _texts(rules: str, normals: Any, options: Dict[str, Any]) -> Tuple[List[Tupl
             texts += [("switches", f"{rule}={_text(setting)}") for rule, setting in value.items()]
         elif name == "what_if":
             texts += [("what_if", line) for line in ([value] if isinstance(value, str) else value)]
-        elif value is not None and value is not False:
+        elif value is not None:
             texts.append((name, _text(value)))
     return texts, normals
 
