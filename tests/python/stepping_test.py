@@ -1,7 +1,9 @@
 """Runs decision by decision, and the reasons."""
+import gc
 import os
 import stat
 import threading
+import weakref
 import xml.etree.ElementTree
 
 import numpy as np
@@ -79,6 +81,21 @@ def test_an_exception_of_an_observer_ends_the_call_and_the_run_goes_on():
         stepper.run_until()
     assert stepper.run_until() == "finished"
     assert np.array_equal(stepper.triangles, se.reconstruct("scene:torus", rules="paper").triangles)
+
+
+def test_a_stepper_is_freed_although_its_observer_refers_to_it():
+    class Counting:
+        def __init__(self):
+            self.stepper = se.Stepper("scene:sheet", observer=self.count)
+
+        def count(self, event):
+            self.events = event.n
+    counting = Counting()
+    counting.stepper.step_pivot()
+    kept = weakref.ref(counting.stepper)
+    del counting
+    gc.collect()
+    assert kept() is None
 
 
 def test_a_run_at_work_is_not_moved():

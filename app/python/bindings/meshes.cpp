@@ -177,12 +177,7 @@ py::dict dictOf(const JudgedMesh& judged) {
 
 py::dict judgeMade(const MadeMesh& mesh) {
     JudgedMesh judged = longCall(py::none(), [&](const Progress& progress) {
-        PointSet points;  // without lists, which nothing here reads
-        points.position = mesh.run->points->position;
-        points.normal = mesh.run->points->normal;
-        points.type = mesh.run->points->type;
-        points.rim = mesh.run->points->rim;
-        points.aside = mesh.run->points->aside;
+        PointSet points = *mesh.run->points;
         points.judge = judgeOf(*mesh.run, progress);
         return judgeMesh(points, *mesh.triangles);
     });

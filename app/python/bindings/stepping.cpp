@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -167,25 +168,6 @@ constexpr std::array<const char*, 4> kReasons{"finished", "condition", "observer
 
 /// A stepper whose observer and conditions are functions of Python.
 class PythonStepper {
-    /// True if a function says so, or has thrown: then the run ends.
-    template <typename Argument>
-    bool asks(const py::object& function, const Argument& argument) {
-        const py::gil_scoped_acquire locked;
-        if (call_->isOver()) return true;
-        return !call_->attempt([&] { return !py::bool_(function(argument)); });
-    }
-    /// The value of work(), during which functions are called as a part of `call`.
-    template <typename Work>
-    auto called(Call call, const Work& work) {
-        const auto value = turn_.take([&] {
-            call_ = &call;
-            return work();
-        });
-        call_ = nullptr;
-        call.finish();
-        return value;
-    }
-
   public:
     PythonStepper(SharedRun run, py::object observer)
         : run_(std::move(run)),
@@ -232,6 +214,25 @@ class PythonStepper {
     }
 
   private:
+    /// True if a function says so, or has thrown: then the run ends.
+    template <typename Argument>
+    bool asks(const py::object& function, const Argument& argument) {
+        const py::gil_scoped_acquire locked;
+        if (call_->isOver()) return true;
+        return !call_->attempt([&] { return !py::bool_(function(argument)); });
+    }
+    /// The value of work(), during which functions are called as a part of `call`.
+    template <typename Work>
+    std::invoke_result_t<Work> called(Call call, const Work& work) {
+        const auto value = turn_.take([&] {
+            call_ = &call;
+            return work();
+        });
+        call_ = nullptr;
+        call.finish();
+        return value;
+    }
+
     SharedRun run_;
     py::object observer_;
     Stepper stepper_;

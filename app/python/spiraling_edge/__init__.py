@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import numbers
 import os
+import weakref
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -218,11 +219,13 @@ class Mesh:
     """A mesh and how it was made: triangles (t, 3) uint32, counterclockwise seen from the tip of the normals (6.4);
     position and normals (n, 3) of all points. counters: of the run; stopped: it made too many triangles; options: the
     settings in words; trials: those of best(). Arrays are read-only views, without a copy."""
+    triangles: np.ndarray
+    counters: Dict[str, int]
+    stopped: bool
 
     def __init__(self, made: Any, trials: Sequence[Trial] = ()) -> None:
         self._made = made
         self._verdict: Optional[Verdict] = None
-        self.triangles: np.ndarray
         self.__dict__.update(made.parts())
         self.prepared = _prepared_record(made.run)
         self.position, self.normals = self.prepared.position, self.prepared.normals
@@ -476,7 +479,9 @@ class Stepper:
     def __init__(self, points: Source, normals: Any = None, rules: str = "paper",
                  observer: Optional[Callable[[Event], Any]] = None, **options: Any) -> None:
         self._run = _prepare(points, normals, rules, options)
-        self._core = _core.Stepper(self._run, observer)
+        me = weakref.ref(self)  # an observer may refer to its stepper
+        self._observer = observer
+        self._core = _core.Stepper(self._run, observer and (lambda event: me()._observer(event)))
         self.prepared = _prepared_record(self._run)
 
     def advance(self) -> bool:
