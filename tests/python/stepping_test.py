@@ -1,6 +1,9 @@
 """Runs decision by decision, and the reasons."""
+import _thread
+import functools
 import gc
 import os
+import signal
 import stat
 import threading
 import weakref
@@ -81,6 +84,16 @@ def test_an_exception_of_an_observer_ends_the_call_and_the_run_goes_on():
         stepper.run_until()
     assert stepper.run_until() == "finished"
     assert np.array_equal(stepper.triangles, se.reconstruct("scene:torus", rules="paper").triangles)
+
+
+def test_an_interrupt_ends_a_run_between_two_pivots():
+    # No code of Python runs that would see the interrupt before the library does.
+    interrupt = functools.partial(next, map(_thread.interrupt_main, [signal.SIGINT]))
+    stepper = se.Stepper("scene:torus")
+    with pytest.raises(KeyboardInterrupt):
+        stepper.run_until(progress=interrupt)
+    assert stepper.phase != "finished"
+    assert stepper.run_until() == "finished"
 
 
 def test_a_stepper_is_freed_although_its_observer_refers_to_it():

@@ -1,6 +1,7 @@
 // Options of a run, and points prepared by them.
-#include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <string_view>
 
 #include "bindings.h"
 #include "calls.h"
@@ -8,40 +9,25 @@
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se::python {
-namespace {
-
-/// True if a row of the table takes this option: of several rows of a key the one with its word.
-bool takes(const SpecField& field, const std::pair<std::string, std::string>& option) {
-    const bool isWord = field.type == SpecType::Word && !field.flag.empty();
-    return !field.option.empty() && field.key == option.first &&
-           (!isWord || field.flag == option.second);
-}
-
-}  // namespace
 
 RunSpec withOptions(RunSpec spec, const Options& options) {
-    for (const auto& option : options) {
-        const SpecField* const field = findSpecField(option.first);
+    for (const auto& [key, text] : options) {
+        const SpecField* const field = findSpecField(key);
         if (field == nullptr || field->option.empty())
-            throw std::invalid_argument(option.first + ": no such option of a run");
-        RunSpec trial;
-        if (const Status set = setField(*field, trial, option.second); !set)
-            throw std::invalid_argument(option.first + " " + option.second + ": " +
-                                        set.error().message);
+            throw std::invalid_argument(key + ": no such option of a run");
     }
-    SpecChange change;
+    std::map<std::string_view, std::string> seen;  // the option of each kind that excludes others
     for (const SpecField& field : specFields()) {
-        for (const auto& option : options) {
-            if (!takes(field, option)) continue;
-            for (const FieldValue& each : change) {
-                if (!field.excludes.empty() && each.field->excludes == field.excludes)
-                    throw std::invalid_argument(option.first + ": not together with " +
-                                                std::string(each.field->key));
-            }
-            change.push_back({&field, option.second});
+        if (findSpecField(field.key) != &field) continue;  // another word of the same key
+        for (const auto& [key, text] : options) {
+            if (field.key != key) continue;
+            const auto [other, isFirst] = seen.try_emplace(field.excludes, key);
+            if (!field.excludes.empty() && !isFirst)
+                throw std::invalid_argument(key + ": not together with " + other->second);
+            if (const Status set = setField(field, spec, text); !set)
+                throw std::invalid_argument(key + " " + text + ": " + set.error().message);
         }
     }
-    require<std::invalid_argument>(applyChange(change, spec));
     return spec;
 }
 

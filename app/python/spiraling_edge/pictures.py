@@ -18,16 +18,15 @@ LEGEND = [("first", "first"), ("last", "last"), ("used", "candidate, ring"), ("r
           ("unused", "UNUSED"), ("done", "DONE")]
 
 
+SHAPES = {"first": "M-7 -7L7 0L-7 7Z", "last": "M7 -7L-7 0L7 7Z", "rejected": "M-5 -5L5 5M5 -5L-5 5",
+          "unused": "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z", "done": "M-3 0a3 3 0 1 0 6 0a3 3 0 1 0 -6 0Z",
+          "used": "M-6 0a6 6 0 1 0 12 0a6 6 0 1 0 -12 0Z"}
+
+
 def _mark(kind: str, x: float, y: float) -> str:
-    color = COLORS[kind]
-    if kind in ("first", "last"):
-        way = 7 if kind == "first" else -7
-        return f'<path d="M{x - way:.1f} {y - 7:.1f}L{x + way:.1f} {y:.1f}L{x - way:.1f} {y + 7:.1f}Z" fill="{color}"/>'
-    if kind == "rejected":
-        return f'<path d="M{x - 5:.1f} {y - 5:.1f}l10 10m0 -10l-10 10" stroke="{color}" stroke-width="2.5"/>'
-    if kind == "unused":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#fff" stroke="{color}" stroke-width="1.5"/>'
-    return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{3 if kind == "done" else 6}" fill="{color}"/>'
+    look = {"rejected": ("none", 2.5), "unused": ("#fff", 1.5)}.get(kind, (COLORS[kind], 0))
+    return (f'<path transform="translate({x:.1f} {y:.1f})" d="{SHAPES[kind]}" fill="{look[0]}" '
+            f'stroke="{COLORS[kind]}" stroke-width="{look[1]}"/>')
 
 
 def _kinds(state) -> dict:
