@@ -24,7 +24,7 @@ def plot(points, *style, **look):
     axes.plot(plane[:, 0], plane[:, 1], *style, **look)
 
 
-figure, axes = plt.subplots(figsize=(7, 7.4), layout="constrained")
+figure, axes = plt.subplots(figsize=(7, 7), layout="constrained")
 for corners in state.new_triangles:
     plane = state.in_plane(corners)
     axes.fill(plane[:, 0], plane[:, 1], color="#F6DFA8", ec="#B07800")
@@ -48,6 +48,9 @@ for p in shown:
                   bbox={"fc": "white", "ec": "none", "pad": 1})
 if state.under_test is not None:
     plot([state.under_test], "o", mfc="none", mec="#B07800", ms=20, mew=2, label="under test")
+if len(state.circle()):
+    circle = state.in_plane(state.circle())
+    axes.plot(circle[:, 0], circle[:, 1], "-", color="#B07800", label="through p, s and t")
 axes.set_aspect("equal")
 axes.margins(0.12)
 axes.set_title(f"{state.address}, section {state.event.section}\n" + textwrap.fill(state.event.sentence, 80), fontsize=10)

@@ -206,6 +206,19 @@ class State:
         offset = (places if places.ndim == 2 else position[places.astype(np.intp)]) - position[self.pivot]
         return np.stack([offset @ right, offset @ np.cross(normal, right)], axis=1)
 
+    def circle(self) -> np.ndarray:
+        """(65, 3): the closed circle through the pivot, s and t of a decision of stage "sphere" (6.3); (0, 3) where
+        there is none."""
+        numbers = self.event.evidence if self.event and self.event.stage == "sphere" else {"radius": 0.0}
+        if not numbers["radius"] > 0.0:
+            return np.empty((0, 3))
+        p, s, t = (self.prepared.position[i] for i in (self.pivot, numbers["s"], numbers["t"]))
+        center = np.array(numbers["center"])
+        normal = np.cross(t - p, s - p)
+        across = np.cross(normal / np.linalg.norm(normal), p - center)
+        turn = np.linspace(0.0, 2.0 * np.pi, 65)[:, None]
+        return center + np.cos(turn) * (p - center) + np.sin(turn) * across
+
     def svg(self, size: int = 480) -> str:
         """The tangent plane of the pivot as a drawing, `size` pixels wide."""
         from .pictures import state_svg

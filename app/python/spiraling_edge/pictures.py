@@ -43,21 +43,6 @@ def _kinds(state) -> dict:
     return kinds
 
 
-def _circle(state, at) -> str:
-    """The circle through p, s and t (6.3), as it is seen in the plane."""
-    numbers = state.event.evidence
-    p, s, t = (state.prepared.position[i] for i in (state.pivot, numbers["s"], numbers["t"]))
-    normal = np.cross(t - p, s - p)
-    if numbers["radius"] <= 0.0 or not normal.any():
-        return ""
-    center = np.array(numbers["center"])
-    right = (p - center) / np.linalg.norm(p - center)
-    up = np.cross(normal / np.linalg.norm(normal), right)
-    turn = np.linspace(0.0, 2.0 * np.pi, 65)[:, None]
-    rim = center + numbers["radius"] * (np.cos(turn) * right + np.sin(turn) * up)
-    return f'<path d="M{"L".join(at(rim))}" fill="none" stroke="{COLORS["test"]}" stroke-width="1.5"/>'
-
-
 def _drawing(state, size: int) -> list:
     kinds = _kinds(state)
     plane = dict(zip(kinds, state.in_plane(list(kinds))))
@@ -68,9 +53,6 @@ def _drawing(state, size: int) -> list:
 
     def path(points: Sequence[int]) -> str:
         return "L".join("%.1f %.1f" % pixel[p] for p in points)
-
-    def at(positions: np.ndarray) -> list:
-        return ["%.1f %.1f" % (middle + scale * x, middle - scale * y) for x, y in state.in_plane(positions)]
 
     parts = []
     for corners in state.new_triangles.tolist():
@@ -85,8 +67,8 @@ def _drawing(state, size: int) -> list:
         steps = "".join(f"M{path(step)}" for step in zip(points, points[1:] + points[:1])
                         if step[0] in pixel and step[1] in pixel)
         parts.append(f'<path d="{steps}" stroke="{COLORS["used"]}" stroke-width="3.5"/>')
-    if state.event.stage == "sphere":
-        parts.append(_circle(state, at))
+    rim = "L".join("%.1f %.1f" % (middle + scale * x, middle - scale * y) for x, y in state.in_plane(state.circle()))
+    parts.append(f'<path d="M{rim}" fill="none" stroke="{COLORS["test"]}" stroke-width="1.5"/>' if rim else "")
     for p, kind in kinds.items():
         x, y = pixel[p]
         if p == state.under_test:
