@@ -9,12 +9,18 @@
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se::python {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason) {
+    throw std::invalid_argument(option + ": " + reason);
+}
+
+}  // namespace
 
 RunSpec withOptions(RunSpec spec, const Options& options) {
     for (const auto& [key, text] : options) {
         const SpecField* const field = findSpecField(key);
-        if (field == nullptr || field->option.empty())
-            throw std::invalid_argument(key + ": no such option of a run");
+        if (field == nullptr || field->option.empty()) refuse(key, "no such option of a run");
     }
     std::map<std::string_view, std::string> seen;  // the option of each kind that excludes others
     for (const SpecField& field : specFields()) {
@@ -23,9 +29,9 @@ RunSpec withOptions(RunSpec spec, const Options& options) {
             if (field.key != key) continue;
             const auto [other, isFirst] = seen.try_emplace(field.excludes, key);
             if (!field.excludes.empty() && !isFirst)
-                throw std::invalid_argument(key + ": not together with " + other->second);
+                refuse(key, "not together with " + other->second);
             if (const Status set = setField(field, spec, text); !set)
-                throw std::invalid_argument(key + " " + text + ": " + set.error().message);
+                refuse(key, set.error().message + ", not " + text);
         }
     }
     return spec;
