@@ -105,11 +105,11 @@ def test_other_arrays_are_refused_with_a_sentence(points, sentence):
 
 @pytest.mark.parametrize("options, sentence", [
     ({"normals": np.zeros((3, 3))}, "normals: expected shape (1000, 3), not (3, 3)"),
-    ({"normals": "outward"}, 'normals: expected "derived" or "oriented", not outward'),
-    ({"rules": "best"}, "rules: "),
-    ({"radius": -1}, "radius: expected a number > 0, not -1"),
+    ({"normals": "outward"}, 'normals outward: expected "derived" or "oriented"'),
+    ({"rules": "best"}, "rules best: no such set"),
+    ({"radius": -1}, "radius -1: expected a number > 0"),
     ({"radius": 1.0, "neighbors": 8}, "not together with"),
-    ({"rule": {"maxgap": "wide"}}, "maxgap"),
+    ({"rule": {"maxgap": "wide"}}, "rule maxgap=wide: write maxgap=VALUE with a number"),
     ({"colour": 1}, "colour: no such option of a run"),
     ({"what_if": "137.sphere keep 100000"}, "Point 100000 does not exist."),
 ])

@@ -11,8 +11,11 @@
 namespace se::python {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& reason) {
-    throw std::invalid_argument(option + ": " + reason);
+/// `text`: the value, or empty.
+[[noreturn]] void refuse(const std::string& key, const std::string& text,
+                         const std::string& reason) {
+    const std::string name = key == "switches" ? "rule" : key;
+    throw std::invalid_argument(name + (text.empty() ? "" : " " + text) + ": " + reason);
 }
 
 }  // namespace
@@ -20,7 +23,7 @@ namespace {
 RunSpec withOptions(RunSpec spec, const Options& options) {
     for (const auto& [key, text] : options) {
         const SpecField* const field = findSpecField(key);
-        if (field == nullptr || field->option.empty()) refuse(key, "no such option of a run");
+        if (field == nullptr || field->option.empty()) refuse(key, "", "no such option of a run");
     }
     std::map<std::string_view, std::string> seen;  // the option of each kind that excludes others
     for (const SpecField& field : specFields()) {
@@ -29,9 +32,9 @@ RunSpec withOptions(RunSpec spec, const Options& options) {
             if (field.key != key) continue;
             const auto [other, isFirst] = seen.try_emplace(field.excludes, key);
             if (!field.excludes.empty() && !isFirst)
-                refuse(key, "not together with " + other->second);
+                refuse(key, "", "not together with " + other->second);
             if (const Status set = setField(field, spec, text); !set)
-                refuse(key, set.error().message + ", not " + text);
+                refuse(key, text, set.error().message);
         }
     }
     return spec;
