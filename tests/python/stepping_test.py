@@ -154,7 +154,8 @@ def test_found_decisions_and_reasons_are_those_of_the_command_line(answer):
     run = se.Run("scene:stranded-point")
     found = run.find("stage=sphere refused", most=5)
     theirs = answer("why", "scene:stranded-point", "--find", "stage=sphere refused", "--most", 5)
-    assert found.total == theirs["total"] and [x.address for x in found.lines] == [x["address"] for x in theirs["lines"]]
+    assert found.total == theirs["total"]
+    assert [line.address for line in found.lines] == [line["address"] for line in theirs["lines"]]
     ours = run.why(point=32)
     theirs = answer("why", "scene:stranded-point", "--point", 32)
     assert ours.sentence == theirs["answer"] and ours.cause == theirs["cause"]

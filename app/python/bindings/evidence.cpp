@@ -132,7 +132,14 @@ py::dict readingDict(const std::optional<Reading>& reading) {
 
 void bindEvents(py::module_& module) {
     const auto row = [](const Event& e) -> const StageRow& { return rowOf(e.address.stage); };
-    py::class_<Event>(module, "Event", "One decision of a run, with the numbers that it compared.")
+    const char* const help =
+        "One decision of a run: its address \"pivot.stage.n\" with the section of the paper "
+        "(empty\n"
+        "beyond it), one sentence, the verdict of a test in words, whether the tested point was\n"
+        "taken (None: no test), the point. evidence: the members of its kind in\n"
+        "core/spiraling_edge/stepper/event.h, in snake case; lengths in the unit of the points,\n"
+        "angles in degrees.";
+    py::class_<Event>(module, "Event", help)
         .def_property_readonly("address", [](const Event& e) { return toString(e.address); })
         .def_property_readonly("pivot", [](const Event& e) { return e.address.pivot; })
         .def_property_readonly("stage", [=](const Event& e) { return textOf(row(e).name); })

@@ -6,9 +6,6 @@ class InputError(ValueError): ...
 class Cancelled(RuntimeError): ...
 
 class Event:
-    """One decision of a run: its address "pivot.stage.n" with the section of the paper (empty beyond it), one sentence,
-    the verdict of a test in words, whether the tested point was taken (None: no test). evidence: the members of its
-    kind in core/spiraling_edge/stepper/event.h, in snake case; lengths in the unit of the points, angles in degrees."""
     @property
     def address(self) -> str: ...
     @property
