@@ -18,7 +18,9 @@ export CMAKE_ARGS='-G Ninja "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG"'
 venv/bin/pip install --no-index --no-build-isolation ./checkout/app/python
 unset PYTHONPATH
 venv/bin/python - <<'PYTHON'
+import importlib.metadata
 import spiraling_edge as se
+assert importlib.metadata.version("spiraling-edge") == se.__version__
 assert "venv" in se.__file__, se.__file__
 mesh = se.reconstruct("scene:torus")
 assert mesh.verdict.sound, mesh.verdict.headline
