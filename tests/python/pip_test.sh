@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the package by pip into an environment of its own, as docs/python.md says, from a checkout that has no more
-# than it needs.
+# Installs the package by pip into an environment of its own, as docs/python.md says, from a checkout with only what
+# that needs.
 #   pip_test.sh PYTHON CHECKOUT FOLDER
 # FOLDER keeps what is built, for the next time.
 set -euo pipefail

@@ -74,7 +74,7 @@ class Failure:
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """What a mesh is, judged by the points as given. sound: triangles, and no fault after a complete search (exact);
+    """The verdict on a mesh, judged by the points as given. sound: triangles, and no fault after a complete search (exact);
     places: with faults; covered: share of the points; distances of points from the mesh; counts by class."""
     sound: bool
     headline: str
