@@ -74,8 +74,8 @@ class Failure:
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """The verdict on a mesh, judged by the points as given. sound: triangles, and no fault after a complete search (exact);
-    places: with faults; covered: share of the points; distances of points from the mesh; counts by class."""
+    """The verdict on a mesh, judged by the points as given. sound: triangles, and no fault after a complete search
+    (exact); places: with faults; covered: share of the points; distances of points from the mesh; counts by class."""
     sound: bool
     headline: str
     exact: bool
