@@ -152,11 +152,13 @@ py::dict whyOf(const SharedRun& run, const std::vector<Index>& points, bool more
         }));
     std::optional<std::string> inverse;
     if (ledger.inverse) inverse = lineOf(*ledger.inverse);
+    std::optional<std::string> rule;
+    if (ledger.preventedBy != nullptr) rule = std::string(ledger.preventedBy->name) + "=on";
     return py::dict("subject"_a = ledger.name, "present"_a = ledger.present,
                     "sentence"_a = ledger.answer,
                     "cause"_a = toString(ledger.lines[ledger.cause].event.address),
                     "proved_by"_a = textOf(provedByName(ledger.provedBy)), "what_if"_a = inverse,
-                    "lines"_a = lineList(ledger.lines));
+                    "rule"_a = rule, "lines"_a = lineList(ledger.lines));
 }
 
 /// Names in the order of Phase: those of their stages where they have one.
