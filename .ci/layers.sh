@@ -116,9 +116,18 @@ no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_tex
 
 # Files are written in one place, which leaves no partial file.
 mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" "${python[@]}" ${viewer[@]+"${viewer[@]}"} |
-    grep -vE '/atomic_file\.(h|cpp)$')
-no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
+    grep -vE '/(atomic_file|operating_system)\.(h|cpp)$')
+no '\bos::(openToWrite|makeFile)\(|\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
     "only atomic_file.cpp may write files" "${not_writers[@]}"
+
+# The operating system is called in one place; what videos and pictures without a display need of it is in theirs.
+mapfile -t portable < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
+    grep -vE '^(core/spiraling_edge/base/operating_system|app/viewer/export/mp4_writer)\.cpp$')
+no "$(include 'sys/|unistd|fcntl|spawn\.h|dlfcn|signal\.h|poll|pthread|malloc\.h|pwd|termios|dirent|sched\.h|windows')" \
+    "only base/operating_system.cpp calls the system (docs/porting.md)" "${portable[@]}"
+no '/proc/self/exe' "the path of the program is os::programPath()" "${portable[@]}"
+mapfile -t not_offscreen < <(in_viewer '' | grep -v '^app/viewer/offscreen')
+no "$(include 'EGL/')" "only offscreen.cpp draws without a display (docs/porting.md)" "${not_offscreen[@]}"
 
 # Text goes to the terminal in few places, which let nothing through that a terminal would obey.
 mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" "${web[@]}" "${python[@]}" ${viewer[@]+"${viewer[@]}"} |

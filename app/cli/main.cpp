@@ -8,7 +8,7 @@
 
 #include "output/output.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/base/freed_memory.h"
+#include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "teach/find_named.h"
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
     const auto say = [](const char* message) {
         se::cli::printNote(fmt::format("spiraling-edge: {}\n", se::printable(message)));
     };
-    se::returnFreedMemory();
+    se::os::returnFreedMemory();
     se::removeUnfinishedFilesAtSignals(
         "\nspiraling-edge: interrupted; no file is left half written\n");
     ExitCode code = ExitCode::Internal;

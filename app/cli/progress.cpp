@@ -1,13 +1,12 @@
 #include "progress.h"
 
-#include "spiraling_edge/spec/run_spec.h"
-
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 
+#include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::cli {
 
@@ -23,7 +22,7 @@ constexpr std::chrono::milliseconds kInterval{100};
 
 ProgressLine::ProgressLine(bool wanted)
     : wanted_(wanted),
-      enabled_(wanted && ::isatty(STDERR_FILENO) == 1),
+      enabled_(wanted && os::isTerminal(os::Stream::Error)),
       last_(std::chrono::steady_clock::now()) {}
 
 ProgressLine::~ProgressLine() { clear(); }

@@ -1,6 +1,4 @@
 // The viewer's program: options, then a window or pictures.
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <exception>
@@ -15,7 +13,7 @@
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
-#include "spiraling_edge/base/freed_memory.h"
+#include "spiraling_edge/base/operating_system.h"
 #include "window.h"
 
 namespace {
@@ -59,7 +57,7 @@ int runPicture(const Options& options) {
 
 /// Progress on a terminal, as of the command line.
 void showProgress(const ExportRun& run) {
-    if (isatty(STDERR_FILENO) == 0 || run.total() < 2) return;
+    if (!se::os::isTerminal(se::os::Stream::Error) || run.total() < 2) return;
     std::fprintf(stderr, "\r\033[Kframe %zu of %zu", run.made(), run.total());
     if (run.done()) std::fputs("\r\033[K", stderr);
 }
@@ -81,9 +79,7 @@ int runExport(const Options& options) {
 int writeProgram(const Options& options) {
     const auto content = contentOf(options);
     if (!content) return fail(kExitInput, content.error().message);
-    std::error_code error;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const auto path = findPage(self.parent_path());
+    const auto path = findPage(se::os::programPath().parent_path());
     if (!path) return fail(kExitNoDisplay, path.error().message);
     const std::array inputs{se::NamedFile{"the program", path.value()}};
     const std::array outputs{se::NamedFile{"-o", options.exported->path}};
@@ -130,7 +126,7 @@ int runWindow(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    se::returnFreedMemory();
+    se::os::returnFreedMemory();
     se::removeUnfinishedFilesAtSignals(
         "\nspiraling-edge-viewer: interrupted; no file is left half written\n");
     try {

@@ -1,10 +1,9 @@
 #include "output.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "exit_code.h"
+#include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
@@ -47,7 +46,7 @@ void writeOutput(const std::string& path, std::string_view bytes) {
 }
 
 void requireNoTerminal(const std::string& output) {
-    if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
+    if (output == "-" && os::isTerminal(os::Stream::Output))
         throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
 }
 

@@ -1,7 +1,6 @@
 // spiraling-edge view, render and export: replace this process by the viewer, which lies beside it.
 // The command line links no window library, so that it runs on machines without one.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <filesystem>
@@ -9,6 +8,7 @@
 
 #include "options.h"
 #include "output/output.h"
+#include "spiraling_edge/base/operating_system.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -20,18 +20,13 @@ constexpr const char* kViewerName = "spiraling-edge-viewer";
 
 /// Replaces this process by the viewer. Throws if the viewer is missing.
 [[noreturn]] void becomeViewer(Arguments arguments) {
-    std::error_code problem;
-    const fs::path self = fs::read_symlink("/proc/self/exe", problem);
-    const std::string viewer = (self.parent_path() / kViewerName).string();
-    arguments.insert(arguments.begin(), viewer);
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    ::execv(viewer.c_str(), pointers.data());
+    const fs::path viewer = os::programPath().parent_path() / kViewerName;
+    os::becomeProgram(viewer, std::move(arguments));
     throw Failure(ExitCode::NoDisplay,
-                  "cannot start the viewer: {} does not exist. Build it with "
-                  "-DSPIRALING_EDGE_BUILD_VIEWER=ON, or use spiraling-edge run",
-                  viewer);
+                  "cannot start the viewer: {} does not exist. Install the package "
+                  "spiraling-edge-viewer, build it with -DSPIRALING_EDGE_BUILD_VIEWER=ON, or use "
+                  "spiraling-edge run",
+                  viewer.string());
 }
 
 /// Decided by the extension, or by JSON content. A session has a position of its own to show.

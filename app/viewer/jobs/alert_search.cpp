@@ -4,13 +4,10 @@
 #include <cassert>
 #include <numeric>
 
+#include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/prepare/prepare.h"
-
-#if defined(__linux__)
-#include <sys/resource.h>
-#endif
 
 namespace se::view {
 
@@ -177,19 +174,6 @@ void RunAlerts::reduce(const RunSpec& spec, std::shared_ptr<const PointFile> inp
     });
 }
 
-namespace {
-
-/// Lowers the priority of this thread, and of those that it starts, so that the window and the
-/// user's own work come first. Elsewhere than on Linux, where that is one call, nothing changes.
-void lowerPriority() {
-#if defined(__linux__)
-    constexpr int kLow = 10;
-    static_cast<void>(setpriority(PRIO_PROCESS, 0, kLow));
-#endif
-}
-
-}  // namespace
-
 void TrialJob::open(std::shared_ptr<const PointFile> file, RunSpec spec) {
     job_.cancel();
     file_ = std::move(file);
@@ -208,7 +192,7 @@ void TrialJob::start() {
     started_ = true;
     trying_ = trialText({});
     job_.start([file = file_, spec = spec_](auto& results) {
-        if (usesThreads()) lowerPriority();
+        if (usesThreads()) os::lowerPriority();
         double share = 0.0;
         std::size_t best = 0;
         std::shared_ptr<const MeshChange> change;

@@ -3,10 +3,6 @@
 /// memory.
 #include "spiraling_edge/base/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -20,13 +16,12 @@
 #include <tuple>
 
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/operating_system.h"
 
 namespace se {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr unsigned kPermissionBits = 0777;
 
 /// A temporary file that a signal handler must be able to remove: fixed storage, since a handler
 /// may neither lock nor allocate.
@@ -57,30 +52,19 @@ void unlistUnfinished(std::size_t slot) {
     if (slot > 0) unfinishedFiles[slot - 1].use = UnfinishedFile::Free;
 }
 
-bool writeAll(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
 /// The text for an interrupted user. Set before the handler is.
 std::string_view interruptFarewell;
 
 extern "C" void removeAndEnd(int signal) {
     for (UnfinishedFile& file : unfinishedFiles) {
-        if (file.use == UnfinishedFile::Listed) ::unlink(file.path.data());
+        if (file.use == UnfinishedFile::Listed) os::removeFile(file.path.data());
     }
     if (signal == SIGINT) {
-        writeAll(STDERR_FILENO, interruptFarewell);
+        os::writeToStandardError(interruptFarewell);
         // No phase of the work can delay this; a flag would have to be polled by all of them.
-        ::_exit(128 + SIGINT);
+        os::endAtOnce(128 + SIGINT);
     }
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+    os::endBySignal(signal);
 }
 
 /// True for the name of a file that this process has open, which must be appended to, not replaced.
@@ -106,26 +90,20 @@ bool isWriteProtected(const fs::path& target, unsigned mode) {
         errno = EACCES;
         return true;
     }
-    return ::access(target.c_str(), W_OK) != 0;
-}
-
-/// Waits until what was written is on the disk. True also where the file system has no such call.
-bool sync(int descriptor) {
-    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+    return !os::mayWrite(target);
 }
 
 /// A folder that is open in order to be synced; -1 if it may be written to but not read.
 class OpenFolder {
   public:
     explicit OpenFolder(const fs::path& folder)
-        : descriptor_(
-              ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {}
+        : descriptor_(os::openFolder(folder.empty() ? "." : folder)) {}
     OpenFolder(const OpenFolder&) = delete;
     OpenFolder& operator=(const OpenFolder&) = delete;
     ~OpenFolder() {
-        if (descriptor_ >= 0) ::close(descriptor_);
+        if (descriptor_ >= 0) os::close(descriptor_);
     }
-    bool synced() const { return descriptor_ < 0 || sync(descriptor_); }
+    bool synced() const { return descriptor_ < 0 || os::sync(descriptor_); }
 
   private:
     int descriptor_;
@@ -149,17 +127,18 @@ fs::path withLinksFollowed(fs::path path) {
 Status AtomicFile::locate(const fs::path& path) {
     if (path.empty()) return Error{"the file name is empty; name a file"};
     path_ = path;
-    struct stat status {};
+    using Kind = os::FileStatus::Kind;
     errno = 0;
-    exists_ = ::stat(path.c_str(), &status) == 0;
-    if (exists_ && S_ISDIR(status.st_mode))
+    const std::optional<os::FileStatus> status = os::statusOf(path);
+    exists_ = status.has_value();
+    if (exists_ && status->kind == Kind::Folder)
         return Error{path.string() + ": is a folder; name a file in it"};
     // The link of an open file, as /dev/stdout, may read as "pipe:[123]", which is no path.
-    direct_ = (exists_ && !S_ISREG(status.st_mode)) || isOpenFile(path);
+    direct_ = (exists_ && status->kind != Kind::Regular) || isOpenFile(path);
     target_ = direct_ ? path : withLinksFollowed(path);
     if (target_.empty()) return failure();
-    if (exists_) mode_ = status.st_mode & kPermissionBits;
-    if (direct_) return ::access(target_.c_str(), W_OK) == 0 ? success() : Status(failure());
+    if (exists_) mode_ = status->mode;
+    if (direct_) return os::mayWrite(target_) ? success() : Status(failure());
     const fs::path parent = target_.parent_path();
     const fs::path folder = parent.empty() ? "." : parent;
     std::error_code ignored;
@@ -169,7 +148,7 @@ Status AtomicFile::locate(const fs::path& path) {
     }
     errno = 0;
     if (exists_ && isWriteProtected(target_, mode_)) return failure();
-    if (::access(folder.c_str(), W_OK) != 0) return failure();
+    if (!os::mayWrite(folder)) return failure();
     return success();
 }
 
@@ -183,8 +162,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
 Status AtomicFile::check(const fs::path& path) { return AtomicFile().locate(path); }
 
 bool AtomicFile::openTarget() {
-    const int append = isOpenFile(target_) ? O_APPEND : 0;
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | append);
+    descriptor_ = os::openToWrite(target_, isOpenFile(target_));
     return descriptor_ >= 0;
 }
 
@@ -192,11 +170,10 @@ bool AtomicFile::openTemporary() {
     temporary_ = unpredictableName(target_.parent_path());
     slot_ = listUnfinished(temporary_.string());
     errno = 0;
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode_);
+    descriptor_ = os::makeFile(temporary_, mode_);
     if (descriptor_ >= 0) {
-        // The mode of the old file, regardless of the umask. A failure here does not prevent the
-        // write.
-        if (exists_) static_cast<void>(::fchmod(descriptor_, mode_));
+        // The mode of the old file. A failure here does not prevent the write.
+        if (exists_) os::setMode(descriptor_, mode_);
         return true;
     }
     unlistUnfinished(slot_);
@@ -224,15 +201,15 @@ Error AtomicFile::failure() const {
 
 Status AtomicFile::write(std::string_view bytes) {
     errno = 0;
-    if (!writeAll(descriptor_, bytes)) return failure();
+    if (!os::writeAll(descriptor_, bytes)) return failure();
     return success();
 }
 
 Status AtomicFile::commit() {
     errno = 0;
     // Else a power failure after the rename could leave the new name with none of the bytes.
-    if (!temporary_.empty() && !sync(descriptor_)) return failure();
-    if (::close(std::exchange(descriptor_, -1)) != 0) return failure();
+    if (!temporary_.empty() && !os::sync(descriptor_)) return failure();
+    if (!os::close(std::exchange(descriptor_, -1))) return failure();
     if (temporary_.empty()) return success();
     const OpenFolder folder(target_.parent_path());
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return failure();
@@ -242,8 +219,8 @@ Status AtomicFile::commit() {
 }
 
 void AtomicFile::closeAndRemove() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (descriptor_ >= 0) os::close(descriptor_);
+    if (!temporary_.empty()) os::removeFile(temporary_.c_str());
     unlistUnfinished(slot_);
 }
 
@@ -261,27 +238,28 @@ constexpr std::string_view kStandardStream = "-";
 /// A file, whatever it is called: by device and inode; one that does not exist yet by those of its
 /// folder, and its name there.
 struct FileIdentity {
-    dev_t device = 0;
-    ino_t inode = 0;
+    using Kind = os::FileStatus::Kind;
+    std::uint64_t device = 0;
+    std::uint64_t inode = 0;
     std::string name;  ///< Empty if the file exists.
-    mode_t mode = S_IFREG;
+    Kind kind = Kind::Regular;
 
     /// Its content stays, and a write would replace it: no pipe, terminal or socket.
-    bool keepsContent() const { return S_ISREG(mode) || S_ISBLK(mode); }
+    bool keepsContent() const { return kind == Kind::Regular || kind == Kind::Block; }
     friend bool operator==(const FileIdentity& a, const FileIdentity& b) {
         return std::tie(a.device, a.inode, a.name) == std::tie(b.device, b.inode, b.name);
     }
 };
 
 std::optional<FileIdentity> identityOf(const fs::path& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) == 0)
-        return FileIdentity{status.st_dev, status.st_ino, {}, status.st_mode};
+    if (const auto file = os::statusOf(path))
+        return FileIdentity{file->device, file->number, {}, file->kind};
     const fs::path target = withLinksFollowed(path);
-    const fs::path folder = target.parent_path();
-    if (target.empty() || ::stat(folder.empty() ? "." : folder.c_str(), &status) != 0)
-        return std::nullopt;
-    return FileIdentity{status.st_dev, status.st_ino, target.filename().string()};
+    if (target.empty()) return std::nullopt;
+    const fs::path parent = target.parent_path();
+    const auto folder = os::statusOf(parent.empty() ? "." : parent);
+    if (!folder) return std::nullopt;
+    return FileIdentity{folder->device, folder->number, target.filename().string()};
 }
 
 bool isStandardStream(const NamedFile& file) { return file.path == kStandardStream; }
@@ -302,7 +280,7 @@ bool areSameOutput(const NamedFile& a, const NamedFile& b) {
     if (isStandardOutput(a) && isStandardOutput(b)) return true;
     const auto first = identityOf(a, "/dev/stdout");
     const auto second = identityOf(b, "/dev/stdout");
-    return first && first == second && !S_ISCHR(first->mode);
+    return first && first == second && first->kind != FileIdentity::Kind::Character;
 }
 
 bool isReplacedBy(const NamedFile& input, const NamedFile& output) {
@@ -343,10 +321,7 @@ Status requireKept(std::span<const NamedFile> inputs, std::span<const NamedFile>
 
 void removeUnfinishedFilesAtSignals(std::string_view farewell) noexcept {
     interruptFarewell = farewell;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU}) {
-        // A signal ignored by the caller, as by nohup, stays ignored.
-        if (std::signal(signal, removeAndEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
-    }
+    os::handleEndingSignals(removeAndEnd);
 }
 
 }  // namespace se

@@ -2,47 +2,34 @@
 /// holds.
 #include "spiraling_edge/base/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <vector>
+
+#include "spiraling_edge/base/operating_system.h"
 
 namespace se {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Duplicated, not opened: a socket cannot be opened, and of a file some may have been read.
 constexpr const char* kStandardInputDevice = "/dev/stdin";
 
 /// An open file; closed by the destructor.
 class OpenFile {
   public:
-    explicit OpenFile(const fs::path& path)
-        : descriptor_(path == kStandardInputDevice ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
-                                                   : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    explicit OpenFile(const fs::path& path) : descriptor_(os::openToRead(path)) {}
     ~OpenFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
+        if (descriptor_ >= 0) os::close(descriptor_);
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
     bool isOpen() const { return descriptor_ >= 0; }
     /// The size of a regular file; 0 for other sources.
-    std::uint64_t size() const {
-        struct stat status {};
-        const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-        return regular ? static_cast<std::uint64_t>(status.st_size) : 0;
-    }
+    std::uint64_t size() const { return os::sizeOf(descriptor_); }
     /// Reads up to `count` bytes to `to`: their number, 0 at the end, negative after a failure.
-    ssize_t read(char* to, std::size_t count) const {
-        ssize_t got = 0;
-        do {
-            got = ::read(descriptor_, to, count);
-        } while (got < 0 && errno == EINTR);
-        return got;
+    std::ptrdiff_t read(char* to, std::size_t count) const {
+        return os::readSome(descriptor_, to, count);
     }
 
   private:
@@ -88,7 +75,7 @@ Result<std::string> readBytes(const fs::path& path, const ByteLimit& limit,
         std::string& piece = pieces.emplace_back(room, '\0');
         std::size_t filled = 0;
         while (!ended && filled < room) {
-            const ssize_t got = file.read(&piece[filled], std::min(kStep, room - filled));
+            const std::ptrdiff_t got = file.read(&piece[filled], std::min(kStep, room - filled));
             if (got < 0) return Error{name + ": cannot be read: " + systemReason()};
             ended = got == 0;
             filled += static_cast<std::size_t>(got);
