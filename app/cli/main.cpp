@@ -4,8 +4,10 @@
 #include <array>
 #include <exception>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "options/option_list.h"
 #include "output/output.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/operating_system.h"
@@ -45,24 +47,47 @@ constexpr std::array kVerbs{
     Verb{"export", "write frames as pictures, an animation or a page", exportVerb},
 };
 
+constexpr std::string_view kSummary = "Spiraling Edge surface reconstruction.";
+
+/// What follows the list of verbs.
+std::string footerText() {
+    return fmt::format(
+        "`spiraling-edge VERB --help` lists the options of a verb; with --json, as JSON.\n"
+        "An input is a {} file, `-` for standard input, or scene:ID.\n"
+        "\n"
+        "  -h, --help     print this and exit\n"
+        "  --version      print the version and exit\n"
+        "\n"
+        "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
+        "malformed, 4 no display, 5 internal error, 130 interrupted.\n",
+        listText(pointFormats(), &PointFormat::name, "or"));
+}
+
 std::string helpText() {
     std::string text =
-        "Spiraling Edge surface reconstruction.\n\n"
+        std::string(kSummary) +
+        "\n\n"
         "Usage: spiraling-edge VERB [OPTIONS]\n"
         "       spiraling-edge FILE          the same as spiraling-edge view FILE\n\n"
         "Verbs:\n";
     for (const Verb& verb : kVerbs) text += fmt::format("  {:<8} {}\n", verb.name, verb.summary);
-    return text + fmt::format(
-                      "\n`spiraling-edge VERB --help` lists the options of a verb.\n"
-                      "An input is a {} file, `-` for standard input, or scene:ID.\n"
-                      "\n"
-                      "  -h, --help     print this and exit\n"
-                      "  --version      print the version and exit\n"
-                      "\n"
-                      "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input "
-                      "missing or\n"
-                      "malformed, 4 no display, 5 internal error, 130 interrupted.\n",
-                      listText(pointFormats(), &PointFormat::name, "or"));
+    return text + "\n" + footerText();
+}
+
+/// A line of JSON about the program, and one with the options of each verb, except those of view,
+/// which are the viewer's.
+void printOptionLists() {
+    nlohmann::ordered_json list{{"name", "spiraling-edge"},
+                                {"description", kSummary},
+                                {"version", SPIRALING_EDGE_VERSION},
+                                {"verbs", nlohmann::ordered_json::array()},
+                                {"footer", footerText()}};
+    for (const Verb& verb : kVerbs)
+        list["verbs"].push_back({{"name", verb.name}, {"summary", verb.summary}});
+    printText(list.dump() + "\n");
+    for (const Verb& verb : kVerbs) {
+        if (verb.run != viewVerb) verb.run({"--help", "--json"});
+    }
 }
 
 /// Handles a first word that is no verb: an input for the viewer, or a mistake.
@@ -86,6 +111,10 @@ ExitCode dispatch(const Arguments& arguments) {
         return ExitCode::Usage;
     }
     const std::string& word = arguments.front();
+    if (asksForOptionList(arguments)) {
+        printOptionLists();
+        return ExitCode::Good;
+    }
     const Verb* second = arguments.size() > 1 ? teach::findNamed(kVerbs, arguments[1]) : nullptr;
     if (word == "help" && second != nullptr) return second->run({"--help"});
     if (word == "-h" || word == "--help" || word == "help") {

@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "options/option_list.h"
 #include "output/output.h"
 
 namespace se::cli {
 
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments) {
+    if (asksForOptionList(arguments)) {
+        printText(optionList(app));
+        return ExitCode::Good;
+    }
     Arguments reversed(arguments.rbegin(), arguments.rend());  // in the order that CLI11 expects
     try {
         app.parse(reversed);

@@ -13,7 +13,8 @@
 namespace se::cli {
 
 /// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
-/// to exit with, after the help was printed. Throws Failure on wrong usage.
+/// to exit with, after the help, or with `--json` the options as data, was printed. Throws Failure
+/// on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
 /// The spec of these values. Throws Failure(Usage) with the first that is not valid.

@@ -13,6 +13,7 @@
 #include "jobs/open_lesson.h"
 #include "jobs/thread.h"
 #include "lesson/lesson_player.h"
+#include "options/option_list.h"
 #include "options/spec_options.h"
 #include "run/packed_file.h"
 #include "run/strings.h"
@@ -530,6 +531,10 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
                  "spiraling-edge-viewer"};
     RawOptions raw;
     addOptions(app, o, raw);
+    if (const std::vector<std::string> words(argv + 1, argv + argc); asksForOptionList(words)) {
+        printLines(stdout, optionList(app, SE_VERSION));
+        return {std::nullopt, kExitGood};
+    }
     try {
         app.parse(argc, argv);
         takeOverLink(app, o);

@@ -59,7 +59,7 @@ constexpr std::array kExportOptions{
     PassedOption{"--size", "WxH", "Size in pixels (default 1280x800)"},
     PassedOption{"--scale", "X", "X times as many pixels, with the same content"},
     PassedOption{"--supersample", "N", "Draw N by N pixels for each one"},
-    PassedOption{"--theme", "THEME", "dark (default) or light"},
+    PassedOption{"--theme", "dark|light", "Colors (default dark)"},
     PassedOption{"--background", "none", "A transparent background"},
     PassedOption{"--labels", "on|off", "Names and values beside points (default on)"},
     PassedOption{"--dial", "on|off", "The dial of the pivot beside the view (default off)"},
