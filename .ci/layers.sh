@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks beyond the compiler's: the includes between parts, the one place that writes files, that
+# Checks beyond the compiler's: the includes between parts, the one place that writes files, the version, that
 # every source file is named in a CMakeLists.txt, the entries of the root, and the limits of size.
 # Prints every violation; fails if there is one.
 set -uo pipefail
@@ -145,6 +145,21 @@ done < <(git ls-tree --name-only HEAD 2>/dev/null)
 
 # Dear ImGui breaks lines within numbers: running text goes through wrappedText().
 no 'ImGui::(TextWrapped|PushTextWrapPos)' "wrap text by panels/widgets/widgets.h" "${viewer[@]}"
+
+# The version stands in the main CMakeLists.txt; what cannot read it there says the same.
+version=$(sed -n 's/^project(spiraling_edge VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+same() { # PATTERN FILE...: each match of the file says the version, or its first two numbers.
+    local pattern=$1 file line
+    shift
+    for file; do
+        line=$(grep -oE -m1 "$pattern" "$file") || { breach "no version in $file"; continue; }
+        [[ " $version ${version%.*} " == *" $(grep -oE '[0-9]+(\.[0-9]+)+' <<<"$line") "* ]] || breach "not version $version: $file: $line"
+    done
+}
+same '^version: .*' CITATION.cff
+same '"version": "[0-9.]*"' app/packaging/vcpkg/vcpkg.json
+same '^## [0-9][^,]*,' CHANGELOG.md
+same 'find_package\(spiraling_edge [0-9.]+' README.md docs/library.md
 
 # Every source is in a list.
 while read -r file; do breach "in no CMakeLists.txt: $file"; done < <(python3 - <<'PYTHON' || echo 'the check itself fails'
