@@ -27,4 +27,10 @@ test -x "$work/prefix/bin/spiraling-edge"
 "$work/prefix/bin/spiraling-edge" --version
 try find_package -DCMAKE_PREFIX_PATH="$work/prefix" "$@"
 try add_subdirectory "$@"
+# Without CMake.
+PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name spiraling_edge.pc)")
+export PKG_CONFIG_PATH
+# shellcheck disable=SC2046
+${CXX:-c++} -std=c++20 -O0 "$here/example.cpp" $(pkg-config --cflags --libs spiraling_edge) -o "$work/pkg_config"
+"$work/pkg_config" | diff <(block text) -
 cmp "$work/find_package.out" "$work/add_subdirectory.out"
