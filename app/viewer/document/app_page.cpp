@@ -186,9 +186,11 @@ Result<fs::path> findPage(const fs::path& programFolder) {
     for (const fs::path& each : folders) {
         if (fs::is_regular_file(each / kPageName, error)) return each / kPageName;
     }
-    return Error{std::string(kPageName) + ", the program as one page, is neither in " +
-                 folders[0].string() + " nor in " + folders[1].string() +
-                 ". app/web/build.sh makes it in build-web/: copy it to one of these."};
+    return Error{
+        std::string(kPageName) + ", the program as one page, is neither in " + folders[0].string() +
+        " nor in " + folders[1].string() +
+        ". Install the package spiraling-edge-web, which has it; or app/web/build.sh makes it in "
+        "build-web/: copy it to one of these."};
 }
 
 }  // namespace se::view
