@@ -4,6 +4,7 @@
 #   packages.sh test    to build and run the tests, too
 #   packages.sh web     to build the page, app/web/build.sh
 #   packages.sh web-test    to test it, app/web/test.sh
+#   packages.sh package     to make and test Debian packages, app/packaging/test.sh
 # Installs missing packages, as root or with sudo; returns quickly if there are none.
 set -euo pipefail
 
@@ -29,13 +30,15 @@ test=(
 
 web=(emscripten nodejs dpkg-dev python3 python3-fonttools)
 browsers=(chromium firefox-esr xvfb xauth)
+package=(dpkg-dev fakeroot lintian mmdebstrap desktop-file-utils appstream shared-mime-info librsvg2-bin man-db groff zsh fish)
 
 case "${1:-}" in
     run) wanted=("${run[@]}") ;;
     test) wanted=("${run[@]}" "${test[@]}") ;;
     web) wanted=("${run[@]}" "${web[@]}") ;;
     web-test) wanted=("${run[@]}" "${web[@]}" "${browsers[@]}") ;;
-    *) sed -n '2,7p' "$0" >&2; exit 2 ;;
+    package) wanted=("${run[@]}" "${package[@]}") ;;
+    *) sed -n '2,8p' "$0" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
