@@ -30,7 +30,7 @@ test=(
 
 web=(emscripten nodejs dpkg-dev python3 python3-fonttools)
 browsers=(chromium firefox-esr xvfb xauth)
-package=(dpkg-dev fakeroot lintian mmdebstrap desktop-file-utils appstream shared-mime-info librsvg2-bin man-db groff zsh fish)
+package=(pybind11-dev python3-dev python3-numpy dpkg-dev fakeroot lintian mmdebstrap desktop-file-utils appstream shared-mime-info librsvg2-bin man-db groff zsh fish)
 
 case "${1:-}" in
     run) wanted=("${run[@]}") ;;
