@@ -177,7 +177,7 @@ print(se.__version__, se.reconstruct(\"scene:torus\"))'"
 }
 fill_page() {
     install ./packages/spiraling-edge-web_*.deb || return
-    inside "cd /tmp && spiraling-edge export --app tour -o tour.html && grep -q 'lesson' tour.html && rm tour.html &&
+    inside "cd /tmp && spiraling-edge export --app tour -o tour.html && grep -qF '<meta name=\"start\" content=\"lesson=tour\">' tour.html && rm tour.html &&
         test -s /usr/share/spiraling-edge/site/index.html"
 }
 # All packages of ours, and what came with them.
