@@ -11,6 +11,7 @@ function(spiraling_edge_add_pages program component)
     set(pages "${CMAKE_CURRENT_BINARY_DIR}/pages")
     add_custom_command(TARGET ${program} POST_BUILD VERBATIM
         COMMAND "${Python3_EXECUTABLE}" "${SPIRALING_EDGE_PAGES}" $<TARGET_FILE:${program}> "${pages}")
+    set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS "${SPIRALING_EDGE_PAGES}")
     # Debian keeps the folders of its packages apart from those of a local installation.
     set(zsh site-functions)
     if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
