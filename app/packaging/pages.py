@@ -43,7 +43,7 @@ def capitalized(text):
 
 
 def sentence(text):
-    return text if text.endswith((".", ":", ")")) else text + "."
+    return text if text.endswith((".", ":")) else text + "."
 
 
 def placeholder(option):
