@@ -32,5 +32,5 @@ PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name spiraling_edge.pc)")
 export PKG_CONFIG_PATH
 # shellcheck disable=SC2046
 ${CXX:-c++} -std=c++20 -O0 "$here/example.cpp" $(pkg-config --cflags --libs spiraling_edge) -o "$work/pkg_config"
-"$work/pkg_config" | diff <(block text) -
+LD_LIBRARY_PATH=${PKG_CONFIG_PATH%/pkgconfig} "$work/pkg_config" | diff <(block text) -
 cmp "$work/find_package.out" "$work/add_subdirectory.out"
