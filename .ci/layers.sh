@@ -121,7 +121,7 @@ no '\bos::(openToWrite|makeFile)\(|\b(f|fre|fd)open\(|\bofstream|std::fstream|O_
     "only atomic_file.cpp may write files" "${not_writers[@]}"
 
 # The operating system is called in one place; what videos and pictures without a display need of it is in theirs.
-mapfile -t portable < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t portable < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" "${python[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '^(core/spiraling_edge/base/operating_system|app/viewer/export/mp4_writer)\.cpp$')
 no "$(include 'sys/|unistd|fcntl|spawn\.h|dlfcn|signal\.h|poll|pthread|malloc\.h|pwd|termios|dirent|sched\.h|windows')" \
     "only base/operating_system.cpp calls the system (docs/porting.md)" "${portable[@]}"
