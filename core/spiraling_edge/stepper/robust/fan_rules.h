@@ -31,9 +31,8 @@ Objection crossing(const StepContext& context);
 /// True if the normals of the pivot's neighborhood all lie within 45 degrees of its own, as is
 /// usual: flat enough for RobustRules::noCross to see every overlap.
 bool isFlatAround(const StepContext& context);
-/// A triangle that meets a finished one nearby (RobustRules::noMeet).
-Objection meetsFinished(const StepContext& context);
-/// A triangle that is a second layer of a finished one nearby (RobustRules::noLayer).
-Objection coversFinished(const StepContext& context);
+/// A triangle that meets a finished one nearby (RobustRules::noMeet), or is a second layer of one
+/// (RobustRules::noLayer).
+Objection conflictsWithFinished(const StepContext& context);
 
 }  // namespace se

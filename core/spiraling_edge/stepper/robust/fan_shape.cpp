@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/edge_planes.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -269,74 +270,110 @@ class CrossingSearch {
 
 // ---- nomeet, nolayer ----------------------------------------------------------------------------
 
-/// A triangle of the fan, and its box grown by `reach` times the sum of its sides.
+/// A triangle of the fan, with the planes that tell most finished ones apart from it.
 struct FanTriangle {
+    FanTriangle(const PointSet& points, const Triangle& t)
+        : made(points, t), planes(points, made) {}
+
     ShapedTriangle made;
-    Box wide;
+    EdgePlanes planes;
 };
 
-/// A finished triangle; its shape is made when first needed, for all triangles of the fan.
-class FinishedTriangle {
+/// Finds a finished triangle near the pivot that is in conflict with one of the fan: one pass for
+/// both rules, in which the sides of each point are found once for all triangles at it.
+class FinishedSearch {
   public:
-    FinishedTriangle(const PointSet& points, const Triangle& t) : points_(points), triangle_(t) {}
+    /// Most triangles of a fan at once: the sides of a point in the planes of each fit a word.
+    static constexpr std::size_t kAtOnce = 12;
 
-    const Triangle& triangle() const { return triangle_; }
-    const LayerShape& shape() {
-        if (!shape_) shape_ = layerShape(points_, triangle_);
-        return *shape_;
+    /// Of the triangles of the fan, those from number `from` on.
+    FinishedSearch(const StepContext& context, std::size_t from)
+        : context_(context),
+          points_(context.points),
+          from_(from),
+          all_(context.positionAt(context.state.pivot.pivot)) {
+        const Fan& fan = context.state.pivot.fan;
+        const Index p = context.state.rings.point(context.state.pivot.pivot);
+        const std::size_t end = std::min(from + kAtOnce, fan.size() - 1);
+        fan_.reserve(end - from);
+        for (std::size_t i = from; i < end; ++i) {
+            const ShapedTriangle& made =
+                fan_.emplace_back(points_, Triangle{p, fan[i].point, fan[i + 1].point}).made;
+            reach_ = std::max(reach_, made.shape.reach);
+            all_.add(made.box.low);
+            all_.add(made.box.high);
+        }
+        tested_.fill(kNone);
+        point_.fill(kNone);
+    }
+
+    Objection find() {
+        const State& s = context_.state;
+        for (const Index x : points_.neighbors[s.rings.point(s.pivot.pivot)]) {
+            for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
+                // A triangle comes up at each of its corners; this remembers most of them.
+                const Index t = h / 3;
+                if (std::exchange(tested_[t % tested_.size()], t) == t) continue;
+                if (const Objection found = against(s.triangles[t])) return found;
+            }
+        }
+        return {};
     }
 
   private:
-    const PointSet& points_;
-    const Triangle& triangle_;
-    std::optional<LayerShape> shape_;
-};
+    static constexpr unsigned kBits = 5;  ///< Of EdgePlanes::Side.
+    static constexpr std::uint64_t kMask = (1U << kBits) - 1;
 
-Box widened(const Box& box, double reach) {
-    const Vec3 size = box.high - box.low;
-    return reach == 0.0 ? box : box.grown(reach * (size.x + size.y + size.z));
-}
-
-std::vector<FanTriangle> trianglesOf(const StepContext& context, double reach) {
-    const State& s = context.state;
-    const Fan& fan = s.pivot.fan;
-    const Index p = s.rings.point(s.pivot.pivot);
-    std::vector<FanTriangle> list;
-    list.reserve(fan.size());
-    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-        const ShapedTriangle made(context.points, {p, fan[i].point, fan[i + 1].point});
-        list.push_back({made, widened(made.box, reach)});
+    /// EdgePlanes::sidesOf() a point for each triangle of the fan, the first one in the low bits.
+    std::uint64_t sidesOf(Index p) {
+        const std::size_t slot = p % point_.size();
+        if (std::exchange(point_[slot], p) == p) return sides_[slot];
+        std::uint64_t sides = 0;
+        for (auto each = fan_.rbegin(); each != fan_.rend(); ++each)
+            sides = sides << kBits | each->planes.sidesOf(p);
+        return sides_[slot] = sides;
     }
-    return list;
-}
 
-/// Objects to the first triangle of the fan for which test(it, a finished one nearby) holds. Each
-/// box is grown by `reach` times the sum of its sides.
-template <typename Test>
-Objection againstFinished(const StepContext& context, Verdict verdict, double reach, Test&& test) {
-    const State& s = context.state;
-    const PointSet& points = context.points;
-    const Index p = s.rings.point(s.pivot.pivot);
-    const std::vector<FanTriangle> fan = trianglesOf(context, reach);
-    Box all(points.position[p]);
-    for (const FanPoint& x : s.pivot.fan) all.add(points.position[x.point]);
-    all = widened(all, reach);
-    // A triangle comes up at each of its corners; this remembers most of them.
-    std::array<Index, 64> tested{};
-    tested.fill(kNone);
-    for (const Index x : points.neighbors[p]) {
-        for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
-            if (std::exchange(tested[h / 3 % tested.size()], h / 3) == h / 3) continue;
-            FinishedTriangle old(points, s.triangles[h / 3]);
-            const Box oldBox = widened(boxOf(points, old.triangle()), reach);
-            if (!oldBox.meets(all)) continue;
-            for (std::size_t i = 0; i < fan.size(); ++i) {
-                if (fan[i].wide.meets(oldBox) && test(fan[i].made, old)) return {verdict, i, true};
+    Objection against(const Triangle& old) {
+        std::uint64_t common = sidesOf(old.a) & sidesOf(old.b) & sidesOf(old.c);
+        std::optional<ShapedTriangle> shaped;
+        for (std::size_t i = 0; i < fan_.size(); ++i, common >>= kBits) {
+            if ((common & EdgePlanes::kBeyondEdge) != 0) continue;
+            if (!shaped) {
+                const Box box = boxOf(points_, old);
+                if (!box.meets(all_, reach_ + mostReachIn(box))) return {};
+                shaped.emplace(points_, old);
             }
+            const ShapedTriangle& made = fan_[i].made;
+            const auto sides = static_cast<unsigned>(common & kMask);
+            if (EdgePlanes::tellApart(sides, made.shape, shaped->shape)) continue;
+            const Verdict verdict = verdictOn(made, *shaped);
+            if (verdict != Verdict::Kept) return {verdict, from_ + i, true};
         }
+        return {};
     }
-    return {};
-}
+    Verdict verdictOn(const ShapedTriangle& made, const ShapedTriangle& old) const {
+        const RobustRules& rules = context_.params.robust;
+        if (!conflict(points_, made, old)) return Verdict::Kept;
+        if (rules.noMeet && made.box.meets(old.box) &&
+            trianglesShareMore(points_.position, made.triangle, old.triangle))
+            return Verdict::Meets;
+        const bool covers = rules.noLayer && isSecondLayer(points_, made.triangle, made.shape,
+                                                           old.triangle, old.shape);
+        return covers ? Verdict::Covers : Verdict::Kept;
+    }
+
+    const StepContext& context_;
+    const PointSet& points_;
+    std::size_t from_;
+    std::vector<FanTriangle> fan_;
+    Box all_;             ///< Around these triangles.
+    double reach_ = 0.0;  ///< The longest LayerShape::reach.
+    std::array<Index, 64> tested_{};
+    // By index of a point; later ones replace earlier ones.
+    std::array<Index, 64> point_{};
+    std::array<std::uint64_t, 64> sides_{};
+};
 
 }  // namespace
 
@@ -351,21 +388,12 @@ bool isFlatAround(const StepContext& context) {
 
 Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
 
-Objection meetsFinished(const StepContext& context) {
-    const std::vector<Vec3>& position = context.points.position;
-    return againstFinished(context, Verdict::Meets, 0.0,
-                           [&](const ShapedTriangle& made, const FinishedTriangle& old) {
-                               return trianglesShareMore(position, made.triangle, old.triangle());
-                           });
-}
-
-Objection coversFinished(const StepContext& context) {
-    constexpr double kReach = 0.25;  // LayerShape::reach is a quarter of an edge.
-    const PointSet& points = context.points;
-    return againstFinished(
-        context, Verdict::Covers, kReach, [&](const ShapedTriangle& made, FinishedTriangle& old) {
-            return isSecondLayer(points, made.triangle, made.shape, old.triangle(), old.shape());
-        });
+Objection conflictsWithFinished(const StepContext& context) {
+    const std::size_t count = context.state.pivot.fan.size() - 1;
+    for (std::size_t from = 0; from < count; from += FinishedSearch::kAtOnce) {
+        if (const Objection found = FinishedSearch(context, from).find()) return found;
+    }
+    return {};
 }
 
 }  // namespace se

@@ -105,6 +105,9 @@ Objection pillow(const StepContext& context) {
 struct FanRule {
     bool RobustRules::*on;
     Objection (*find)(const StepContext&);
+    bool RobustRules::*orOn = on;
+
+    bool isOn(const RobustRules& rules) const { return rules.*on || rules.*orOn; }
 };
 
 constexpr std::array kManifoldRules{
@@ -116,10 +119,9 @@ constexpr std::array kShapeRules{
     FanRule{&RobustRules::noFold, fold},
     FanRule{&RobustRules::rim, beyondWall},
 };
-/// These object only where isFlatAround() is false.
+/// These object only where isFlatAround() is false. They search in one pass.
 constexpr std::array kBentRules{
-    FanRule{&RobustRules::noMeet, meetsFinished},
-    FanRule{&RobustRules::noLayer, coversFinished},
+    FanRule{&RobustRules::noMeet, conflictsWithFinished, &RobustRules::noLayer},
 };
 /// These drop no candidate: the fan is refused.
 constexpr std::array kWaitingRules{
@@ -131,7 +133,7 @@ constexpr std::array kWaitingRules{
 /// True if one of the rules objects to the fan.
 bool refuses(std::span<const FanRule> rules, const StepContext& context) {
     return std::any_of(rules.begin(), rules.end(), [&](const FanRule& rule) {
-        return context.params.robust.*rule.on && rule.find(context);
+        return rule.isOn(context.params.robust) && rule.find(context);
     });
 }
 
@@ -161,7 +163,7 @@ std::optional<GuardEvidence> firstStandingObjection(AnyContext auto& context,
                                                     bool mayDrop = true) {
     const NeighborRing& n = context.state.pivot;
     for (const FanRule& rule : rules) {
-        if (!(context.params.robust.*rule.on)) continue;
+        if (!rule.isOn(context.params.robust)) continue;
         const Objection objection = rule.find(context);
         if (!objection) continue;
         GuardEvidence found = evidenceOf(n.fan, objection, mayDrop);
