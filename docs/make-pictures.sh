@@ -60,8 +60,6 @@ stages() {
     stage done-alert genus-2 630.done.7 --neighbors 24 --focus
     stage fill linked-tori 600.fill.1 --focus --neighbors 24 --rule fill=on
     stage_from reinsert long-lists 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
-    stage reseat linked-tori 1598.reseat.1 --focus --neighbors 32 --rules corrected \
-        --rule guard=on --rule reinsert=on --rule flip=on --rule reseat=on
 }
 
 # What belongs to a decision and not to the surface.

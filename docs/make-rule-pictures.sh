@@ -124,4 +124,3 @@ picture reinsert $scans/hippo.ply "-0.138 -0.0086 -0.121" 0.031 "0 0" --rules ro
 picture closeholes $scans/hippo.ply "0.2475 -0.036 0.1056" 0.016 "0 0" --rules corrected --rule guard=on
 picture flip $scans/kitten.xyz "-0.0831 0.2031 0.2035" 0.039 "0 0" --rules robust
 picture remesh $scans/fin90.xyz "0.0221 0.2069 0.0043" 0.06 "0 -40" --rules robust
-picture reseat scene:linked-tori "2.0995 -0.3689 -0.1898" 0.28 "0 0" --rules corrected --rule guard=on --rule reinsert=on --rule flip=on -k 32

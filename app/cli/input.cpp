@@ -84,7 +84,13 @@ void InputArguments::addTo(CLI::App& app, std::initializer_list<SpecGroup> group
 
 const RunSpec& InputArguments::spec() const {
     if (spec_) return *spec_;
-    RunSpec spec = specOf(options_.given());
+    const SpecChange given = options_.given();
+    for (const FieldValue& each : given) {
+        if (each.field->type == SpecType::Rule && isFormerRule(each.text))
+            printNote(fmt::format("--rule {}: this rule is gone, and changes nothing\n",
+                                  printable(each.text)));
+    }
+    RunSpec spec = specOf(given);
     spec.source = input_;
     if (!startFile_.empty())
         spec.start = require(teach::readStartFile(startFile_), ExitCode::Input);

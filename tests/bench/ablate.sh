@@ -30,7 +30,7 @@ echo "|---|---|---|---|---|---|"
 off=()
 echo "| nothing | $(measure "$@") |"
 for rule in tangent unblocked stepback wallsdone bothwalls guard gap nopillow nocross nofold nomeet nolayer rim delay \
-    shelve fill droppatches reinsert closeholes flip remesh reseat; do
+    shelve fill droppatches reinsert closeholes flip remesh; do
     off=(--rule "$rule=off")
     echo "| \`$rule\` | $(measure "$@") |"
 done

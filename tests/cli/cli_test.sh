@@ -309,9 +309,9 @@ report_has_the_fields_of_the_first_version() {
     expect 0 run far.xyz -k 8 --rules robust --rule keepseeds=off --rule nofold=off --rule nomeet=off --rule flip=off \
         --rule wallsdone=off --rule fill=off --rule delay=off --rule nocross=off --rule gap=off \
         --rule tie=farthest --what-if "1.sphere keep 13" -o far.stl --report report.json
-    # report_version 2 has other names for these, or another place.
+    # report_version 2 has other names for these, or another place; the rule `reseat` is gone.
     fields "$old/report.json" |
-        sed -E 's/^\.faults\.(non_manifold_edge|inconsistent_edge) /.faults.\1s /; s/^\.faults\.folded /.faults.folded_edges /
+        sed -E '/\.reseat /d; s/^\.faults\.(non_manifold_edge|inconsistent_edge) /.faults.\1s /; s/^\.faults\.folded /.faults.folded_edges /
             s/^\.faults\.(degenerate|flipped|intersecting) /.faults.\1_triangles /; s/^\.sound /.verdict.sound /
             s/^\.unused_points /.points_in_no_triangle /' | sort >wanted
     [ "$(wc -l <wanted)" -gt 140 ] || fail "few fields: $(cat wanted)"
@@ -327,6 +327,8 @@ report_has_the_fields_of_the_first_version() {
 }
 
 rules_can_be_set_and_runs_forked() {
+    expect 0 run scene:torus -q --rule reseat=off
+    says err "--rule reseat=off: this rule is gone, and changes nothing"
     expect 0 run scene:torus --report true.json
     expect 0 run scene:torus --rule maxgap=100 --rule tie=farthest --report set.json
     says set.json '"maxgap": 100'

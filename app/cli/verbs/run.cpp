@@ -428,7 +428,7 @@ ExitCode runVerb(const Arguments& words) {
     if (arguments.lists) file.neighbors = std::move(prepared.points.neighbors);
     prepared.points.neighbors = {};
     outcome.state.edges = {};
-    outcome.state.repair.near = nullptr;
+    outcome.state.repair.near = {};
     inspect(arguments, prepared.points, outcome);
     if (arguments.faultFields)
         setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);

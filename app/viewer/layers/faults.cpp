@@ -308,20 +308,6 @@ void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out)
     }
 }
 
-void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawList& out) {
-    const DecisionState& p = in.picture;
-    const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles);
-    addEdges(in, edges, out);
-    addPoint(in, e.point, nameOf(e.point, in.names) + " taken out", Shape::Cross,
-             in.palette.rejected, out);
-    if (!edges.kept.empty()) {
-        out.label(in.middleOf(edges.kept.front()[0], edges.kept.front()[1]),
-                  std::to_string(p.goneTriangles.size()) + " triangles \xE2\x86\x92 " +
-                      std::to_string(p.newTriangles.size()),
-                  in.palette.used, true);
-    }
-}
-
 void addCloseHole(const LayerInput& in, const CloseHoleEvidence& e, DrawList& out) {
     addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
     out.label(in.middleOf(e.first, e.second), "hole of " + std::to_string(e.length) + " filled",
@@ -354,8 +340,6 @@ void addRepairs(const LayerInput& in, DrawList& out) {
     if (const auto* patch = p.evidence<DropPatchEvidence>(Stage::DropPatch))
         addDropPatch(in, *patch, out);
     if (const auto* faulty = p.evidence<RemeshEvidence>(Stage::Remesh)) addRemesh(in, *faulty, out);
-    if (const auto* taken = p.evidence<RemoveFoldedEvidence>(Stage::RemoveFolded))
-        addRemoveFolded(in, *taken, out);
 }
 
 }  // namespace se::view

@@ -106,7 +106,6 @@ std::string noOfferText(const Event& event) {
         case Stage::CloseHole:
         case Stage::Flip:
         case Stage::Remesh:
-        case Stage::RemoveFolded:
             return "Not decided by a test: turn " + std::string(stageName(event.address.stage)) +
                    " off in Rules.";
         case Stage::Seed:

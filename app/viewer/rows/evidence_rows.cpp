@@ -604,13 +604,6 @@ void addRows(const RemeshEvidence& e, const EvidenceInput& in, EvidenceRows& out
     addLeastAngles(in, out);
 }
 
-void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("point", pointsText({e.point}, in.names) + ", taken out");
-    out.row("triangles", countsText(in.picture));
-    addFlipped(in, out);
-    addLeastAngles(in, out);
-}
-
 }  // namespace
 
 std::vector<EvidenceRow> evidenceRows(const EvidenceInput& in) {

@@ -85,7 +85,6 @@ struct LineOfPaper {
     std::size_t operator()(const DropPatchEvidence&) const { return 2; }
     std::size_t operator()(const CloseHoleEvidence&) const { return 2; }
     std::size_t operator()(const RemeshEvidence&) const { return 3; }
-    std::size_t operator()(const RemoveFoldedEvidence&) const { return 2; }
     std::size_t operator()(const ShelveEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }
     std::size_t operator()(const ComponentEvidence&) const { return 3; }

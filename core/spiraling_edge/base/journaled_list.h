@@ -95,13 +95,18 @@ class JournaledList {
         assert(journal_);
         return journal_->place;
     }
-    /// Undoes or redoes changes, up to the contents at which changes() was `place`.
-    void moveTo(std::size_t place) {
+    /// Undoes or redoes changes, up to the contents at which changes() was `place`. Calls visit(i)
+    /// for the position of each changed element.
+    template <typename Visit>
+    void moveTo(std::size_t place, Visit&& visit) {
         assert(journal_);
         Journal& journal = *journal_;
         assert(place <= journal.changes.size());
-        while (journal.place > place) exchange(journal.changes[--journal.place], true);
-        while (journal.place < place) exchange(journal.changes[journal.place++], false);
+        while (journal.place > place) visit(exchange(journal.changes[--journal.place], true));
+        while (journal.place < place) visit(exchange(journal.changes[journal.place++], false));
+    }
+    void moveTo(std::size_t place) {
+        moveTo(place, [](std::size_t) {});
     }
 
   private:
@@ -126,16 +131,20 @@ class JournaledList {
         }
         ++journal_->place;
     }
-    /// Undoes the change, or redoes it.
-    void exchange(Change& change, bool undo) {
-        if (change.where < kRemoved) return std::swap(change.element, elements_[change.where]);
+    /// Undoes the change, or redoes it; returns the position of the element.
+    std::size_t exchange(Change& change, bool undo) {
+        if (change.where < kRemoved) {
+            std::swap(change.element, elements_[change.where]);
+            return change.where;
+        }
         const bool shrinks = (change.where == kAppended) == undo;
         if (shrinks) {
             change.element = elements_.back();
             elements_.pop_back();
-        } else {
-            elements_.push_back(change.element);
+            return elements_.size();
         }
+        elements_.push_back(change.element);
+        return elements_.size() - 1;
     }
 
     std::vector<T> elements_;

@@ -40,6 +40,29 @@ inline double facing(const PointSet& points, const Triangle& t) {
     return glm::dot(areaVector(points, t), sum);
 }
 
+/// The point of a triangle that is nearest to `x`, by the region that `x` lies over: a corner, a
+/// side or the inside (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+inline Vec3 nearestPoint(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double d1 = glm::dot(ab, x - a);
+    const double d2 = glm::dot(ac, x - a);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const double d3 = glm::dot(ab, x - b);
+    const double d4 = glm::dot(ac, x - b);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+    const double d5 = glm::dot(ab, x - c);
+    const double d6 = glm::dot(ac, x - c);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    return a + (vb * ab + vc * ac) / (va + vb + vc);
+}
+
 /// FaultKind::Flipped, for a triangle that is not degenerate.
 inline bool isFlipped(const PointSet& points, const Triangle& t) { return facing(points, t) < 0.0; }
 

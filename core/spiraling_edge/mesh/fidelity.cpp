@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/geometry/z_curve.h"
 #include "spiraling_edge/mesh/moderate_size.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -26,29 +27,6 @@ constexpr std::size_t kFanOut = 8;
 double squaredDistance(const Box& box, const Vec3& x) {
     const Vec3 d = glm::max(glm::max(box.low - x, x - box.high), Vec3(0.0));
     return glm::dot(d, d);
-}
-
-/// The nearest point of a triangle by the region that `x` lies over: a corner, a side or the inside
-/// (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-Vec3 nearestPoint(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const double d1 = glm::dot(ab, x - a);
-    const double d2 = glm::dot(ac, x - a);
-    if (d1 <= 0.0 && d2 <= 0.0) return a;
-    const double d3 = glm::dot(ab, x - b);
-    const double d4 = glm::dot(ac, x - b);
-    if (d3 >= 0.0 && d4 <= d3) return b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
-    const double d5 = glm::dot(ab, x - c);
-    const double d6 = glm::dot(ac, x - c);
-    if (d6 >= 0.0 && d5 <= d6) return c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-    return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
 class TriangleTree {

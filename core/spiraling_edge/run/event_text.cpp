@@ -286,11 +286,6 @@ std::string text(const RemeshEvidence& e, const Names& names) {
     return sentence("Triangle ({}, {}, {}) has a fault: those about it are replaced.",
                     names(e.faulty.a), names(e.faulty.b), names(e.faulty.c));
 }
-std::string text(const RemoveFoldedEvidence& e, const Names& names) {
-    return sentence(
-        "Triangle ({}, {}, {}) has a fault: point {} is taken out, and the hole filled.",
-        names(e.faulty.a), names(e.faulty.b), names(e.faulty.c), names(e.point));
-}
 std::string text(const FlipEvidence& e, const Names& names) {
     return sentence("Edge {} - {} is better as {} - {}, by {}: flipped.", names(e.u), names(e.v),
                     names(e.x), names(e.y), e.forAngles ? "its least angle" : "fewer faults there");

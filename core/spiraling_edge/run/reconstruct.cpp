@@ -50,7 +50,7 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     std::vector<Triangle> mesh = state.repair.triangles.take();
     restore(mesh, original);
     state.repair.triangles = std::move(mesh);
-    state.repair.nearOf = nullptr;
+    state.repair.near = {};
     for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {
         if (alert.point != kNone) alert.point = original[alert.point];

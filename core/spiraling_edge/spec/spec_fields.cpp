@@ -117,6 +117,7 @@ void choose(RunSpec& spec, RuleValue value) {
 }
 
 Status addRule(RunSpec& spec, std::string_view text) {
+    if (isFormerRule(text)) return success();
     const Result<RuleValue> value = ruleValueFromText(text);
     if (!value) return value.error();
     choose(spec, value.value());

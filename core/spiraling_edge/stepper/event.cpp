@@ -38,7 +38,6 @@ constexpr std::array<StageRow, kStageCount> kStageTable{{
     {Stage::CloseHole, "closeholes", "", kNoTests},
     {Stage::Flip, "flip", "", kNoTests},
     {Stage::Remesh, "remesh", "", kNoTests},
-    {Stage::RemoveFolded, "reseat", "", kNoTests},
     {Stage::Done, "done", "7", kNoTests},
     {Stage::Finished, "finished", "3", kNoTests},
 }};

@@ -39,21 +39,18 @@ enum class Stage : std::uint8_t {
     Join,        ///< §6.5, Fig. 12
     Advance,     ///< §6.5: the next pivot.
     // Beyond the paper, after the last pivot:
-    DropPatch,     ///< A small component, or all fans at a point but the largest, is taken out.
-    Reinsert,      ///< A stranded point is put in.
-    CloseHole,     ///< A hole is filled.
-    Flip,          ///< An edge is flipped.
-    Remesh,        ///< The triangles about a fault are replaced.
-    RemoveFolded,  ///< A point at a fault is taken out.
-    Done,          ///< §3, §7: a ring is freed or a component complete.
-    Finished,      ///< §3: the end of the run.
+    DropPatch,  ///< A small component, or all fans at a point but the largest, is taken out.
+    Reinsert,   ///< A stranded point is put in.
+    CloseHole,  ///< A hole is filled.
+    Flip,       ///< An edge is flipped.
+    Remesh,     ///< The triangles about a fault are replaced.
+    Done,       ///< §3, §7: a ring is freed or a component complete.
+    Finished,   ///< §3: the end of the run.
 };
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Finished) + 1;
 
 /// True for the stages after the last pivot, which edit the mesh.
-constexpr bool isRepair(Stage stage) {
-    return stage >= Stage::DropPatch && stage <= Stage::RemoveFolded;
-}
+constexpr bool isRepair(Stage stage) { return stage >= Stage::DropPatch && stage <= Stage::Remesh; }
 
 /// The tests of a stage that a what-if can override (what_if.h).
 enum class StageTests : std::uint8_t {
@@ -293,11 +290,6 @@ struct CloseHoleEvidence {
     Index first, second;  ///< The side of the hole with which its ring begins.
     Index length;         ///< Of the ring, before it was widened.
 };
-/// A point of a faulty triangle, or of one beside it, was taken out (RobustRules::removeFolded).
-struct RemoveFoldedEvidence {
-    Index point;
-    Triangle faulty;
-};
 /// The triangles about a faulty one were replaced by others between the same points
 /// (RobustRules::remesh).
 struct RemeshEvidence {
@@ -383,10 +375,10 @@ using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
                  SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, DropPatchEvidence,
-                 ReinsertEvidence, CloseHoleEvidence, FlipEvidence, RemeshEvidence,
-                 RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence, JoinEvidence,
-                 CloseEvidence, AdvanceEvidence, ShelveEvidence, TakeUpEvidence, FreeEvidence,
-                 ComponentEvidence, AlertEvidence, FinishedEvidence>;
+                 ReinsertEvidence, CloseHoleEvidence, FlipEvidence, RemeshEvidence, EmitEvidence,
+                 RingEvidence, SplitEvidence, JoinEvidence, CloseEvidence, AdvanceEvidence,
+                 ShelveEvidence, TakeUpEvidence, FreeEvidence, ComponentEvidence, AlertEvidence,
+                 FinishedEvidence>;
 
 struct Event {
     Address address;

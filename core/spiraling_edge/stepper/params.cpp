@@ -35,8 +35,7 @@ Params robust() {
     r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.noLayer =
         r.rim = true;
     r.delay = r.shelve = r.fill = r.dropPatches = r.reinsert = r.closeHoles = r.flip = r.remesh =
-        r.removeFolded = true;
-    params.setNoiseAside = true;
+        params.setNoiseAside = true;
     return params;
 }
 

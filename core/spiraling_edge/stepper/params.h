@@ -105,9 +105,6 @@ struct RobustRules {
     /// After the last pivot: the triangles about a faulty one are replaced by others between the
     /// same points, if none of them has a fault.
     bool remesh = false;
-    /// After the last pivot: a point at a faulty triangle is taken out if its hole can be closed
-    /// without a fault; `reinsert` may put it back.
-    bool removeFolded = false;
 
     /// True if some rule examines the whole fan before it is made.
     bool looksAtFan() const {

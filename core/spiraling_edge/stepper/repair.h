@@ -16,7 +16,7 @@
 
 namespace se {
 
-class NearPoints;
+class MeshTree;
 
 /// A side that leaves a pinched point.
 struct PinchedSide {
@@ -25,23 +25,21 @@ struct PinchedSide {
     friend bool operator==(const PinchedSide&, const PinchedSide&) = default;
 };
 
-/// Marks of the present search among triangles near a place.
-struct NearMarks {
-    struct PointMark {
-        std::uint32_t round = 0;  ///< The last search that came to the point.
-        /// EdgePlanes::sidesOf() it, for up to two triangles; or its number in the search.
-        std::uint32_t value : 31 = 0;
-        std::uint32_t visited : 1 = 0;  ///< Its triangles were visited.
+/// The triangles near a place. A copy is empty, and made again when needed.
+struct MeshIndex {
+    MeshIndex() = default;
+    MeshIndex(const MeshIndex& /*other*/) {}
+    MeshIndex(MeshIndex&&) noexcept = default;
+    MeshIndex& operator=(const MeshIndex& other) {
+        if (this != &other) *this = MeshIndex();
+        return *this;
+    }
+    MeshIndex& operator=(MeshIndex&&) noexcept = default;
+    ~MeshIndex() = default;
 
-        void begin(std::uint32_t search, std::uint32_t found) {
-            round = search;
-            value = found & 0x7FFFFFFFU;
-            visited = 0;
-        }
-    };
-    std::vector<std::uint32_t> triangle;  ///< Per triangle: the last search that came to it.
-    std::vector<PointMark> point;
-    std::uint32_t current = 0;
+    std::shared_ptr<MeshTree> tree;
+    const PointSet* points = nullptr;  ///< Those of the tree: what-ifs may move points.
+    std::vector<Index> changed;        ///< Triangles that changed since.
 };
 
 /// The four points around an edge u v: x on the left of u -> v, y on the right.
@@ -98,13 +96,14 @@ struct RepairState : RepairNumbers {
     /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
     JournaledList<PinchedSide> pinchedSides;
     // Not in the journal, since they follow from the rest:
-    /// To find triangles near a point; made when first needed.
-    std::shared_ptr<const NearPoints> near;
-    const PointSet* nearOf = nullptr;  ///< Its points: what-ifs may move points during a run.
-    NearMarks nearMarks;
+    MeshIndex near;
     FlipsAhead flipsAhead;
 
     bool empty() const { return triangles.empty(); }
+    /// Sets the corners of a triangle; at the end of the list, adds it.
+    void setTriangle(Index t, const Triangle& corners);
+    /// Removes the last triangle.
+    void popTriangle();
     /// Writes down all changes from now on.
     void beginJournal();
     /// The present place. Requires a journal.
@@ -116,8 +115,7 @@ struct RepairState : RepairNumbers {
 /// Number of rounds: flips make room for more points, and new points for more flips. In the last
 /// one, points are put in and nothing else is done.
 inline constexpr std::uint32_t kRepairRounds = 4;
-/// From this round on, no point is taken out, and one that fits nowhere without a fault may add as
-/// many as it is itself.
+/// From this round on, a point that fits nowhere without a fault may add as many as it is itself.
 inline constexpr std::uint32_t kSettlingRound = 2;
 
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
@@ -155,11 +153,8 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& repair);
 
-/// RobustRules::remesh and RobustRules::removeFolded: repairs the next faulty triangle, if that
-/// leaves no other fault: those about it are replaced by others between the same points
-/// (RemeshEvidence), or a point near it is taken out and the hole filled (RemoveFoldedEvidence; not
-/// in the last round, after which it could not be put back). Nothing if none is left.
-std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRules& rules,
-                                        RepairState& repair);
+/// RobustRules::remesh: replaces the triangles about the next faulty one by others between the same
+/// points, if none of them has a fault. Nothing if none is left.
+std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& repair);
 
 }  // namespace se

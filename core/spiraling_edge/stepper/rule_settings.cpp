@@ -384,8 +384,6 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "cosine")),
     robust<&RobustRules::remesh>("remesh", "6.3",
                                  "triangles about a faulty one are replaced by others"),
-    robust<&RobustRules::removeFolded>(
-        "reseat", "4", "points at faulty triangles are removed where that repairs the fault"),
 });
 
 }  // namespace

@@ -73,6 +73,9 @@ struct RuleValue {
     double value = 1.0;
     friend bool operator==(const RuleValue&, const RuleValue&) = default;
 };
+/// True for a text "NAME=VALUE" of a rule of version 0.1 that is gone, and without which a run is
+/// the same as with it.
+bool isFormerRule(std::string_view text);
 /// Reads "maxgap=100". Fails with a sentence that names the settings.
 Result<RuleValue> ruleValueFromText(std::string_view text);
 /// The text of a value: "maxgap=100".

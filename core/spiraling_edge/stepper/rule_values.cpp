@@ -72,6 +72,8 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     return Error{"write " + wordList(ways, "or")};
 }
 
+bool isFormerRule(std::string_view text) { return text.substr(0, text.find('=')) == "reseat"; }
+
 Result<RuleValue> ruleValueFromText(std::string_view text) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string_view name = text.substr(0, equals);

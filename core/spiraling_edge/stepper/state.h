@@ -31,19 +31,17 @@ enum class Phase : std::uint8_t {
     Fill,        ///< Beyond the paper: the next ear of a hole.
     Advance,     ///< §6.5, §7
     // Beyond the paper, after the last pivot (repair.h):
-    DropFans,     ///< All fans but the largest at one point.
-    DropPatch,    ///< One small patch.
-    Reinsert,     ///< One stranded point.
-    CloseHole,    ///< One hole.
-    Flip,         ///< One edge.
-    RepairFault,  ///< One triangle with a fault.
+    DropFans,   ///< All fans but the largest at one point.
+    DropPatch,  ///< One small patch.
+    Reinsert,   ///< One stranded point.
+    CloseHole,  ///< One hole.
+    Flip,       ///< One edge.
+    Remesh,     ///< The triangles about one with a fault.
     Finished,
 };
 
 /// True for the phases after the last pivot, which edit the mesh.
-constexpr bool isRepair(Phase phase) {
-    return phase >= Phase::DropFans && phase <= Phase::RepairFault;
-}
+constexpr bool isRepair(Phase phase) { return phase >= Phase::DropFans && phase <= Phase::Remesh; }
 
 /// Status of a point (§4): UNUSED 0, USED n > 0 = number of its ring entries, DONE -1.
 using PointStatus = std::int32_t;

@@ -154,7 +154,7 @@ void finishRun(AnyContext auto& context);
 void beginRepairPhases(AnyContext auto& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
-void phaseRepairFault(AnyContext auto& context);
+void phaseRemesh(AnyContext auto& context);
 void phaseDropFans(AnyContext auto& context);
 void phaseDropPatch(AnyContext auto& context);
 void phaseCloseHole(AnyContext auto& context);

@@ -21,27 +21,17 @@ struct PhaseRow {
 /// All phases but Finished, which is never run.
 template <AnyContext Context>
 constexpr std::array<PhaseRow<Context>, static_cast<std::size_t>(Phase::Finished)> kPhases{
-    {{Phase::Seed, phaseSeed},
-     {Phase::Pivot, phasePivot},
-     {Phase::Sort, phaseSort},
-     {Phase::Limits, phaseLimits},
-     {Phase::Convex, phaseConvex},
-     {Phase::Reciprocal, phaseReciprocal},
-     {Phase::Hole, phaseHole},
-     {Phase::Sphere, phaseSphere},
-     {Phase::TwoPoint, phaseTwoPoint},
-     {Phase::Guard, phaseGuard},
-     {Phase::Emit, phaseEmit},
-     {Phase::Ring, phaseRing},
-     {Phase::Link, phaseLink},
-     {Phase::Fill, phaseFill},
-     {Phase::Advance, phaseAdvance},
-     {Phase::DropFans, phaseDropFans},
-     {Phase::DropPatch, phaseDropPatch},
-     {Phase::Reinsert, phaseReinsert},
-     {Phase::CloseHole, phaseCloseHole},
-     {Phase::Flip, phaseFlip},
-     {Phase::RepairFault, phaseRepairFault}}};
+    {{Phase::Seed, phaseSeed},           {Phase::Pivot, phasePivot},
+     {Phase::Sort, phaseSort},           {Phase::Limits, phaseLimits},
+     {Phase::Convex, phaseConvex},       {Phase::Reciprocal, phaseReciprocal},
+     {Phase::Hole, phaseHole},           {Phase::Sphere, phaseSphere},
+     {Phase::TwoPoint, phaseTwoPoint},   {Phase::Guard, phaseGuard},
+     {Phase::Emit, phaseEmit},           {Phase::Ring, phaseRing},
+     {Phase::Link, phaseLink},           {Phase::Fill, phaseFill},
+     {Phase::Advance, phaseAdvance},     {Phase::DropFans, phaseDropFans},
+     {Phase::DropPatch, phaseDropPatch}, {Phase::Reinsert, phaseReinsert},
+     {Phase::CloseHole, phaseCloseHole}, {Phase::Flip, phaseFlip},
+     {Phase::Remesh, phaseRemesh}}};
 static_assert(isInOrder(kPhases<UnloggedContext>));
 
 /// Inline, since it only dispatches on the phase, 12 times per pivot. Requires an unfinished run.

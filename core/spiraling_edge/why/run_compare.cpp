@@ -67,12 +67,10 @@ class TriangleOrigins {
             return point != nullptr && hasCorner(t, point->point);
         };
         const auto fillsHole = [](const Event& event) {
-            return isA<RemoveFoldedEvidence>(event) || isA<CloseHoleEvidence>(event) ||
-                   isA<RemeshEvidence>(event);
+            return isA<CloseHoleEvidence>(event) || isA<RemeshEvidence>(event);
         };
         auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
-        // Other triangles fill a hole, the place of a point taken out, or that of a fault; the
-        // events do not name them.
+        // Other triangles fill a hole or the place of a fault; the events do not name them.
         if (found == repairs_.rend())
             found = std::find_if(repairs_.rbegin(), repairs_.rend(), fillsHole);
         return found != repairs_.rend() ? found->address : Address{};

@@ -65,7 +65,6 @@ std::vector<Sign> signs() {
         {"closeholes", of<CloseHoleEvidence>()},
         {"flip", of<FlipEvidence>()},
         {"remesh", of<RemeshEvidence>()},
-        {"reseat", of<RemoveFoldedEvidence>()},
     };
 }
 

@@ -109,7 +109,7 @@ TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossing
     CHECK(100 * run.mesh.unusedPoints < points->size());
     CHECK(crossings < 40);
     CHECK(counts[static_cast<std::size_t>(FaultKind::SecondLayer)] < 60);
-    CHECK(counts[static_cast<std::size_t>(FaultKind::Flipped)] < 10);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Flipped)] < 20);
 }
 
 TEST_CASE("robust: every shared set gives an oriented manifold, most of them a sound mesh") {
@@ -266,13 +266,12 @@ TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());
     for (const auto rule :
-         {&RobustRules::tangent,   &RobustRules::unblocked,   &RobustRules::stepBack,
-          &RobustRules::wallsDone, &RobustRules::bothWalls,   &RobustRules::guard,
-          &RobustRules::gap,       &RobustRules::noPillow,    &RobustRules::noCross,
-          &RobustRules::noFold,    &RobustRules::noMeet,      &RobustRules::rim,
-          &RobustRules::delay,     &RobustRules::fill,        &RobustRules::dropPatches,
-          &RobustRules::reinsert,  &RobustRules::closeHoles,  &RobustRules::flip,
-          &RobustRules::remesh,    &RobustRules::removeFolded}) {
+         {&RobustRules::tangent, &RobustRules::unblocked, &RobustRules::stepBack,
+          &RobustRules::wallsDone, &RobustRules::bothWalls, &RobustRules::guard, &RobustRules::gap,
+          &RobustRules::noPillow, &RobustRules::noCross, &RobustRules::noFold, &RobustRules::noMeet,
+          &RobustRules::rim, &RobustRules::delay, &RobustRules::fill, &RobustRules::dropPatches,
+          &RobustRules::reinsert, &RobustRules::closeHoles, &RobustRules::flip,
+          &RobustRules::remesh}) {
         CHECK_FALSE(rules.*rule);
         CHECK(robust().robust.*rule);
     }

@@ -370,7 +370,7 @@ TEST_CASE("fill: on rough clouds, fewer holes are left than without") {
         const PointSet points = prepared(file);
         Params params = *paramsByName("robust");
         params.robust.rim = params.robust.reinsert = params.robust.closeHoles = params.robust.flip =
-            params.robust.remesh = params.robust.removeFolded = false;
+            params.robust.remesh = false;
         const Run on = runAll(points, params);
         params.robust.fill = false;
         const Run off = runAll(points, params);

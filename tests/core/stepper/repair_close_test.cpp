@@ -382,7 +382,7 @@ TEST_CASE("droppatches: holes that meet at a point are filled before its fans wo
     params.robust.closeHoles = true;
     Stepper stepper(points, params);
     State state(points.size());
-    state.phase = Phase::RepairFault;  // The last of the first round.
+    state.phase = Phase::Remesh;  // The last of the first round.
     state.repair = beginRepair(points.size(), gridWithout({gridPoint(2, 3), gridPoint(4, 3)}));
     REQUIRE(state.repair.pinched[gridPoint(3, 3)]);
     stepper.setState(state);

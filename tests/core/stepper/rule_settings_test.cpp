@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/spec/spec_fields.h"
 #include "spiraling_edge/stepper/rules.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
@@ -365,4 +366,21 @@ TEST_CASE("sentences state what the rule in force did") {
     };
     CHECK(tied(TieRule::Nearest).find("as 3, which is nearer: dropped.") != std::string::npos);
     CHECK(tied(TieRule::Farthest).find("as 4, which is farther: dropped.") != std::string::npos);
+}
+
+TEST_CASE("A rule that is gone is accepted by its old name, and changes nothing") {
+    RunSpec spec;
+    spec.rules = "robust";
+    const RunSpec before = spec;
+    const auto fields = specFields();
+    const auto field = std::find_if(fields.begin(), fields.end(),
+                                    [](const SpecField& f) { return f.type == SpecType::Rule; });
+    REQUIRE(field != fields.end());
+    for (const char* text : {"reseat=on", "reseat=off"}) {
+        CHECK(isFormerRule(text));
+        CHECK(setField(*field, spec, text).ok());
+        CHECK(spec == before);
+    }
+    CHECK_FALSE(isFormerRule("remesh=off"));
+    CHECK_FALSE(setField(*field, spec, "reseats=off").ok());
 }

@@ -142,29 +142,6 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
     }
 }
 
-TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triangles less") {
-    RunSpec input = spec("scene:linked-tori", "corrected", 32);
-    for (const char* rule : {"guard", "reinsert", "flip", "reseat"}) {
-        input.choices.push_back({rule, true});
-    }
-    const auto place = RunAt::at<RemoveFoldedEvidence>(input, Stage::RemoveFolded);
-    REQUIRE(place != nullptr);
-    const Index point = place->evidence<RemoveFoldedEvidence>().point;
-    const DecisionState& picture = place->session.picture();
-    CHECK(picture.goneTriangles.size() == picture.newTriangles.size() + 2);
-    const DrawList list = place->drawn(addRepairs);
-    CHECK(count(list, view::Shape::Cross) == 1);
-    for (const Triangle& t : picture.goneTriangles) {
-        for (const Index corner : {t.a, t.b, t.c}) {
-            if (corner == point) continue;
-            const Line* edge = lineOf(list, place->at(point), place->at(corner));
-            REQUIRE(edge != nullptr);
-            CHECK(edge->dash > 0.0F);
-        }
-    }
-    CHECK(says(list, "taken out"));
-}
-
 TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
     RunSpec input = spec("scene:sphere", "paper", 24);
     input.choices.push_back({"fill", true});

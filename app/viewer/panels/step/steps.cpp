@@ -146,7 +146,7 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
 std::string pivotNote(const PivotSummary& summary) {
     for (const Stage stage : {Stage::Finished, Stage::Split, Stage::Join, Stage::Done, Stage::Seed,
                               Stage::Skip, Stage::Fill, Stage::DropPatch, Stage::Reinsert,
-                              Stage::CloseHole, Stage::Flip, Stage::Remesh, Stage::RemoveFolded}) {
+                              Stage::CloseHole, Stage::Flip, Stage::Remesh}) {
         if ((summary.found & findingOf(stage)).any()) return std::string(stageName(stage));
     }
     return {};

@@ -139,8 +139,8 @@ bool FillingSearch::isBlocked(std::size_t side) {
     return !anyThird(side, [&](const RingTriangle& t) { return mayMake(t); });
 }
 
-std::size_t FillingSearch::firstBlocked() {
-    std::size_t side = 0;
+std::size_t FillingSearch::firstBlocked(std::size_t from) {
+    std::size_t side = from;
     while (side < ring_.size() && !isBlocked(side)) ++side;
     return side;
 }
@@ -212,30 +212,12 @@ bool FillingSearch::mayMake(const RingTriangle& t) {
     return found == Known::Sound;
 }
 
-void FillingSearch::findNear() {
-    // All triangles of a filling lie in the box of the ring; none is longer than it is wide.
-    Box box(points_.position[ring_.points.front()]);
-    for (const Index p : ring_.points) box.add(points_.position[p]);
-    const Box wide = box.grown(0.25 * glm::distance(box.low, box.high));
-    std::vector<Index> list = trianglesNear(points_, m_, ring_.points);
-    std::erase_if(list, [&](Index t) {
-        const Box near = boxOf(points_, m_.triangles[t]);
-        return !near.meets(wide, mostReachIn(near)) || isGone(ring_, t);
-    });
-    near_.emplace(points_, m_, list);
-}
-
 bool FillingSearch::isInConflict(const Triangle& made) {
-    if (!near_) findNear();
-    const std::size_t number = near_->addTested(made);
     // What is in the way of one triangle is in the way of most others at the same side.
-    if (inTheWay_ < near_->size() && near_->isInConflict(number, inTheWay_)) return true;
-    std::size_t i = near_->nextDoubtful(number, 0);
-    while (i < near_->size() && !conflict(points_, near_->tested(number), near_->shaped(i)))
-        i = near_->nextDoubtful(number, i + 1);
-    if (i == near_->size()) return false;
-    inTheWay_ = i;
-    return true;
+    if (inTheWay_ != kNone && conflict(points_, made, m_.triangles[inTheWay_])) return true;
+    const Index found = firstConflict(points_, m_, made, ring_.gone);
+    if (found != kNone) inTheWay_ = found;
+    return found != kNone;
 }
 
 /// True if two triangles of the filling are in conflict.

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/stepper/robust/near_triangles.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
@@ -50,9 +49,9 @@ class FillingSearch {
     /// Sharir 1995), O(n^3), unless a side of the ring is blocked: 97 in 100 of the rings without a
     /// filling have such a side.
     Filling find();
-    /// The first side of the ring at which every triangle has a fault; the number of sides if there
-    /// is none.
-    std::size_t firstBlocked();
+    /// The first side of the ring, from number `from` on, at which every triangle has a fault; the
+    /// number of sides if there is none.
+    std::size_t firstBlocked(std::size_t from);
 
   private:
     Triangle triangle(const RingTriangle& t) const {
@@ -64,7 +63,6 @@ class FillingSearch {
     bool isFit(const RingTriangle& t);
     bool mayMake(const RingTriangle& t);
     bool isInConflict(const Triangle& made);
-    void findNear();
     template <typename Visit>
     bool anyThird(std::size_t side, Visit&& visit);
     bool isBlocked(std::size_t side);
@@ -85,9 +83,7 @@ class FillingSearch {
     RepairState& m_;
     const HoleRing& ring_;
     std::vector<Known> known_;
-    /// The triangles nearby that stay; found when first needed.
-    std::optional<NearTriangles> near_;
-    std::size_t inTheWay_ = 0;  ///< The one that the last conflict was with: asked first.
+    Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: asked first.
 };
 
 /// Puts the filling in the place of HoleRing::gone, and at the end of the list; those that are gone

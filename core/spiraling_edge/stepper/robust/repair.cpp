@@ -98,8 +98,7 @@ constexpr RepairPhase kOrder[] = {
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
-    {Phase::RepairFault,
-     [](const RobustRules& rules, std::uint32_t) { return rules.remesh || rules.removeFolded; }},
+    {Phase::Remesh, [](const RobustRules& rules, std::uint32_t) { return rules.remesh; }},
 };
 
 /// Goes to the first phase at or after position `from` of the order whose rule is on.
@@ -125,9 +124,7 @@ void enterNext(AnyContext auto& context) {
         if (enterFrom(context, 0)) return;
     }
     // No step searches any more, and the tree is as large as the mesh.
-    s.repair.near.reset();
-    s.repair.nearOf = nullptr;
-    s.repair.nearMarks = {};
+    s.repair.near = {};
     finishRun(context);
 }
 
@@ -140,6 +137,20 @@ void finishStep(AnyContext auto& context, Stage stage, const std::optional<Found
 }
 
 }  // namespace
+
+void RepairState::setTriangle(Index t, const Triangle& corners) {
+    if (t == triangles.size()) {
+        triangles.push_back(corners);
+    } else {
+        triangles.set(t, corners);
+    }
+    if (near.tree != nullptr) near.changed.push_back(t);
+}
+
+void RepairState::popTriangle() {
+    triangles.pop_back();
+    if (near.tree != nullptr) near.changed.push_back(static_cast<Index>(triangles.size()));
+}
 
 void RepairState::beginJournal() {
     forEachList(*this, [](auto& list) { list.beginJournal(); });
@@ -156,6 +167,9 @@ RepairPlace RepairState::place() const {
 void RepairState::moveTo(const RepairPlace& place) {
     static_cast<RepairNumbers&>(*this) = place.numbers;
     auto changes = place.changes.begin();
+    triangles.moveTo(*changes, [&](std::size_t t) {
+        if (near.tree != nullptr) near.changed.push_back(static_cast<Index>(t));
+    });
     forEachList(*this, [&](auto& list) { list.moveTo(*changes++); });
 }
 
@@ -213,11 +227,8 @@ void phaseFlip(AnyContext auto& context) {
                flipNext(context.points, context.params.thresholds, context.state.repair));
 }
 
-void phaseRepairFault(AnyContext auto& context) {
-    const auto repaired =
-        repairNextFault(context.points, context.params.robust, context.state.repair);
-    const bool remeshed = repaired && std::holds_alternative<RemeshEvidence>(*repaired);
-    finishStep(context, remeshed ? Stage::Remesh : Stage::RemoveFolded, repaired);
+void phaseRemesh(AnyContext auto& context) {
+    finishStep(context, Stage::Remesh, remeshNext(context.points, context.state.repair));
 }
 
 template void beginRepairPhases(UnloggedContext&);
@@ -232,7 +243,7 @@ template void phaseDropPatch(UnloggedContext&);
 template void phaseDropPatch(LoggedContext&);
 template void phaseCloseHole(UnloggedContext&);
 template void phaseCloseHole(LoggedContext&);
-template void phaseRepairFault(UnloggedContext&);
-template void phaseRepairFault(LoggedContext&);
+template void phaseRemesh(UnloggedContext&);
+template void phaseRemesh(LoggedContext&);
 
 }  // namespace se

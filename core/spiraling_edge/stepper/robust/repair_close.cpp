@@ -160,16 +160,20 @@ constexpr int kMaxTakenOut = 1;
 /// old triangle across goes as well, or an end of the side. Empty if there is none.
 Filling widenUntilFilled(const PointSet& points, RepairState& m, HoleRing& ring) {
     int takenOut = 0;
+    // More room leaves the sides before the last blocked one as they are, not blocked.
+    std::size_t side = 0;
     for (int i = 0; i < kMaxWidened; ++i) {
         FillingSearch search(points, m, ring);
-        const std::size_t side = search.firstBlocked();
+        side = search.firstBlocked(side);
         if (side == ring.size()) return search.find();
         if (widenByTriangle(m, side, ring)) continue;
         if (++takenOut > kMaxTakenOut) return {};
         const HoleRing narrow = ring;
-        if (widenByPoint(m, side, ring)) continue;
-        ring = narrow;
-        if (!widenByPoint(m, (side + 1) % ring.size(), ring)) return {};
+        if (!widenByPoint(m, side, ring)) {
+            ring = narrow;
+            if (!widenByPoint(m, (side + 1) % ring.size(), ring)) return {};
+        }
+        side = 0;
     }
     return {};
 }

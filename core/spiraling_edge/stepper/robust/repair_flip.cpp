@@ -59,27 +59,20 @@ class FlipScore {
         }
         return *after_;
     }
-    /// Triangles at the four points that the two given ones meet, or are a second layer of; counted
-    /// until they are more than `most`.
+    /// Conflicts of the two given triangles with others; counted until they are more than `most`.
     int conflicts(const Triangle& a, const Triangle& b, int most) const {
-        return conflictsAt(points_, m_, {a, b}, {h_ / 3, g_ / 3},
-                           std::array{quad_.u, quad_.v, quad_.x, quad_.y}, most);
+        return countConflicts(points_, m_, std::array{a, b}, {h_ / 3, g_ / 3}, most);
     }
-    /// Conflicts of the two triangles of the edge, counted once.
+    /// Conflicts of the two triangles of the edge.
     int conflictsBefore() const {
-        if (!conflictsBefore_) conflictsBefore_ = conflicts(quad_.left(), quad_.right(), kAll);
-        return *conflictsBefore_;
+        constexpr int kAll = std::numeric_limits<int>::max();
+        return conflicts(quad_.left(), quad_.right(), kAll);
     }
-    /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
-    bool conflictNearby(const Triangle& a, const Triangle& b) const {
-        return se::conflictNearby(points_, m_, {a, b}, {h_ / 3, g_ / 3},
-                                  std::array{quad_.u, quad_.v, quad_.x, quad_.y});
-    }
+    /// True if isSound() holds for both triangles of the edge.
+    bool areSound() const { return isSound(points_, m_, h_ / 3) && isSound(points_, m_, g_ / 3); }
     const Quad& quad() const { return quad_; }
 
   private:
-    static constexpr int kAll = std::numeric_limits<int>::max();
-
     int faults(const Triangle& a, const Triangle& b) const {
         return shapeFaults(points_, a) + shapeFaults(points_, b) + (folded(points_, a, b) ? 2 : 0);
     }
@@ -95,7 +88,7 @@ class FlipScore {
     RepairState& m_;
     HalfEdge h_, g_;
     Quad quad_;
-    mutable std::optional<int> own_, before_, after_, conflictsBefore_;
+    mutable std::optional<int> own_, before_, after_;
 };
 
 /// Cosine of the least angle of the two triangles.
@@ -131,7 +124,7 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
         return false;
     if (flat) return score.after() == 0;
     return isFlatByNormals(points, thresholds, q) && score.after() == 0 &&
-           !score.conflictNearby(q.flippedU(), q.flippedV());
+           score.conflicts(q.flippedU(), q.flippedV(), 0) == 0;
 }
 
 /// The cosine of the least angle of a triangle, by the squared lengths of its edges, up to
@@ -229,12 +222,6 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
     return flips < kMaxConflictFlips ? Gain::Conflicts : Gain::None;
 }
 
-/// True if one of the triangles is far off the normals of its corners: it may be in conflict with
-/// another then.
-bool mayBeRough(const PointSet& points, const Quad& q) {
-    return isSteep(points, q.left(), kRough) || isSteep(points, q.right(), kRough);
-}
-
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
                 HalfEdge h, const Quad& q) {
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
@@ -243,11 +230,11 @@ Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, Repa
     if (clearlyStays(points, thresholds, q)) return Gain::None;
     const FlipScore score(points, m, h, q);
     bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
-    if (sound && mayBeRough(points, q)) {
+    if (sound && (isRough(points, m, h / 3) || isRough(points, m, m.twin[h] / 3))) {
         // No flip for any reason leaves more faults: asked before the search for conflicts, which
         // takes ten times as long and mostly finds none.
         if (score.after() > score.before()) return Gain::None;
-        sound = score.conflictsBefore() == 0;
+        sound = score.areSound();
     }
     Gain gain = Gain::None;
     if (!sound) {
@@ -266,8 +253,8 @@ void flipEdge(RepairState& m, HalfEdge h, const Quad& q) {
     const HalfEdge yv = m.twin[preceding(g)];
     const Index s = h / 3;
     const Index t = g / 3;
-    m.triangles.set(s, q.flippedU());
-    m.triangles.set(t, q.flippedV());
+    m.setTriangle(s, q.flippedU());
+    m.setTriangle(t, q.flippedV());
     pair(m, 3 * s, uy);
     pair(m, 3 * s + 2, xu);
     pair(m, 3 * t, yv);
@@ -285,6 +272,7 @@ void flipEdge(RepairState& m, HalfEdge h, const Quad& q) {
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& m) {
     m.conflictFlips.resize(m.triangles.size(), 0);
+    if (m.round == 0 && m.queueFront == 0) findSound(points, m);
     while (m.queueFront < m.queue.size()) {
         lookAhead(points, thresholds, m);
         const std::size_t place = m.queueFront++;

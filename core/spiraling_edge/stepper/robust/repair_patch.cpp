@@ -11,11 +11,22 @@
 namespace se {
 namespace {
 
-/// True if a triangle with a smaller index has an edge with this one.
-bool hasLesserNeighbor(const RepairState& m, Index t) {
-    const HalfEdge h = 3 * t;
-    return std::any_of(m.twin.begin() + h, m.twin.begin() + h + 3,
-                       [&](HalfEdge other) { return other < h; });
+/// The triangles of the component of which `t` has the smallest index, if these are fewer than
+/// kSmallComponent; else none. Mostly a neighbor has a smaller one.
+std::vector<Index> smallComponentFrom(const RepairState& m, Index t) {
+    const auto isLess = [&](HalfEdge other) { return other < 3 * t; };
+    const auto sides = m.twin.begin() + 3 * std::ptrdiff_t{t};
+    if (std::any_of(sides, sides + 3, isLess)) return {};
+    std::vector<Index> found{t};
+    for (std::size_t i = 0; i < found.size() && found.size() < kSmallComponent; ++i) {
+        for (HalfEdge h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
+            const HalfEdge other = m.twin[h];
+            if (isLess(other)) return {};
+            if (other != kNone && std::find(found.begin(), found.end(), other / 3) == found.end())
+                found.push_back(other / 3);
+        }
+    }
+    return found.size() < kSmallComponent ? found : std::vector<Index>{};
 }
 
 /// True if one of the points lists a point within reach of a component with at least
@@ -163,9 +174,8 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& m) {
 
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& m) {
     for (; m.next < m.triangles.size(); ++m.next) {
-        if (hasLesserNeighbor(m, m.next)) continue;  // Its patch was examined already.
-        std::vector<Index> patch = patchAt(m, m.next, kSmallComponent);
-        if (patch.size() >= kSmallComponent) continue;
+        std::vector<Index> patch = smallComponentFrom(m, m.next);
+        if (patch.empty()) continue;
         const std::vector<Index> corners = cornersOf(m, patch);
         const bool pinched =
             std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });

@@ -10,13 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
-#include "spiraling_edge/geometry/exact_predicates.h"
-#include "spiraling_edge/stepper/robust/near_triangles.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
@@ -67,8 +64,6 @@ class Change {
 
     std::size_t size() const { return count_; }
     const Triangle& operator[](std::size_t i) const { return made_[i].triangle; }
-    /// Number of triangle `i` in a list of the caller; kNone until the caller sets it.
-    Index& number(std::size_t i) { return made_[i].number; }
     /// The side across the old edge of triangle `i`, kNone at a border.
     HalfEdge across(std::size_t i) const { return made_[i].outer; }
     /// The old triangles that go.
@@ -82,7 +77,6 @@ class Change {
     struct Made {
         Triangle triangle;
         HalfEdge outer = kNone;
-        Index number = kNone;
     };
 
     /// Makes triangle `i` that of an old side.
@@ -146,63 +140,6 @@ std::vector<Index> trianglesListed(const PointSet& points, const RepairState& m,
     return found;
 }
 
-/// Whether a new triangle is folded onto the old one across its side, as last asked: the side of
-/// the same triangle differs from place to place.
-class FoldAcross {
-  public:
-    bool isFolded(const PointSet& points, const RepairState& m, const Triangle& made,
-                  HalfEdge outer) {
-        if (outer == kNone) return false;
-        if (std::exchange(outer_, outer) != outer)
-            folded_ = folded(points, made, m.triangles[outer / 3]);
-        return folded_;
-    }
-
-  private:
-    HalfEdge outer_ = kNone;
-    bool folded_ = false;
-};
-
-// ---- without a fault ----------------------------------------------------------------------------
-
-/// Largest number of times that both triangles of a conflict are tried as the one to avoid, for one
-/// place.
-constexpr std::size_t kMaxChoices = 4;
-
-/// A place for a point, and the quality of its triangles.
-struct Insertion {
-    std::optional<Change> change;
-    double cosine = 2.0;  ///< Of the least angle of the new triangles: the smaller, the better.
-};
-
-struct NearTriangle {
-    Index index;
-    double distanceSq;  ///< From the point to its nearest corner, squared.
-    ShapedTriangle shaped;
-};
-
-/// The triangles near a point, the nearest first, since most conflicts are with those.
-std::vector<NearTriangle> nearestFirst(const PointSet& points, RepairState& m, Index x) {
-    std::vector<NearTriangle> near;
-    const std::vector<Index> list = trianglesNear(points, m, std::array{x});
-    near.reserve(list.size());
-    for (const Index t : list) {
-        const Triangle& corners = m.triangles[t];
-        double least = std::numeric_limits<double>::max();
-        for (const Index p : {corners.a, corners.b, corners.c}) {
-            const Vec3 d = points.position[p] - points.position[x];
-            least = std::min(least, glm::dot(d, d));
-        }
-        near.push_back({t, least, ShapedTriangle(points, corners)});
-    }
-    std::stable_sort(near.begin(), near.end(), [](const NearTriangle& a, const NearTriangle& b) {
-        return a.distanceSq < b.distanceSq;
-    });
-    return near;
-}
-
-enum class Answer : std::uint8_t { Unknown, No, Yes };
-
 /// A triangle between the point and an old edge, and what was found out about it: it is made for
 /// many places.
 struct NewTriangle {
@@ -210,327 +147,213 @@ struct NewTriangle {
         : shaped(points, t), faults(shapeFaults(points, t)), cosine(leastAngleCosine(points, t)) {}
 
     ShapedTriangle shaped;
-    int faults;
-    double cosine;                       ///< Of its least angle.
-    std::size_t tested = 0;              ///< Number of near triangles tested, from the first on,
-    std::vector<std::size_t> conflicts;  ///< and the positions of those in conflict with it.
-    std::vector<Answer> withOthers;      ///< Conflicts with other new triangles, by number,
-    std::vector<std::pair<Index, bool>> withOld;  ///< and with old ones across a side.
-    FoldAcross across;
+    int faults;                                   ///< shapeFaults()
+    double cosine;                                ///< Of its least angle.
+    std::optional<std::vector<Index>> conflicts;  ///< conflictsOf() it, if asked.
+    /// The old triangle across its side differs from place to place: the side of the last one that
+    /// was asked about, and whether they are folded.
+    HalfEdge outer = kNone;
+    bool foldedAcross = false;
 };
+
+/// Number of triangles, the nearest ones, that are tried as the place before kSettlingRound.
+constexpr std::size_t kNearest = 4;
+
+/// Largest number of triangles that make room for a point at a price.
+constexpr std::size_t kMaxCheapGone = 3;
+/// The most faults that a place may add: those of a point in no triangle.
+constexpr int kMaxAdded = 1;
+/// Number of new triangles that are looked at for a place at a price.
+constexpr std::size_t kMaxCheapMade = 60;
 
 /// Finds the best place for one point.
 class PlaceSearch {
   public:
-    PlaceSearch(const PointSet& points, RepairState& m, Index x)
-        : points_(points), m_(m), x_(x), near_(nearestFirst(points, m, x)) {}
+    PlaceSearch(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {}
 
+    /// The place without a fault that has the best angles.
     std::optional<Change> find() {
-        for (const Index t : trianglesListed(points_, m_, x_)) {
-            Change inside(m_, x_);
-            inside.replace(t);
-            choices_ = 0;
-            consider(inside);
-            for (Index k = 0; k < 3; ++k) {
-                if (m_.twin[3 * t + k] != kNone) continue;
-                Change outside(m_, x_);
-                outside.join(3 * t + k);
-                // Its one triangle can be avoided by no other.
-                if (made(outside, 0).cosine < best_.cosine) consider(outside);
-            }
+        // By their angles, as far as shape alone decides: the best ones first.
+        std::vector<std::pair<double, Change>> places;
+        forEachPlace([&](Change place) {
+            if (const auto angle = widenUntilShaped(place)) places.emplace_back(*angle, place);
+        });
+        std::stable_sort(places.begin(), places.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [angle, place] : places) {
+            if (angle < bestAngle_) widenUntilSound(place);
         }
-        return best_.change;
+        return best_;
     }
-
-  private:
-    /// Widens a place until no new triangle has a fault; keeps it if it is the best so far. The
-    /// first `from` triangles have none; `worst` is their least angle's cosine.
-    void consider(Change change, std::size_t from = 0, double worst = -1.0) {
-        std::array<double, kMaxMade + 1> worstBefore{};
-        worstBefore[from] = worst;
-        for (std::size_t i = from; i < change.size();) {
-            // Without another choice the triangles before this one stay, so that the place is no
-            // better than they are.
-            if (choices_ == kMaxChoices && worstBefore[i] >= best_.cosine) return;
-            const bool faulty = isFaulty(change, i);
-            const std::size_t rival = faulty ? i : firstInConflict(change, i);
-            // The old triangle that is in the way may go as well,
-            const bool mayChoose = faulty && choices_ < kMaxChoices;
-            const std::size_t side = mayChoose ? sideInTheWay(change, i) : change.size();
-            if (side < change.size() && side != i) {
-                ++choices_;
-                Change other = change;
-                const std::size_t again = std::min(side, i);
-                if (other.avoid(side)) consider(other, again, worstBefore[again]);
-            }
-            // and of two new ones in conflict, either may be the one to avoid.
-            if (rival < i && choices_ < kMaxChoices) {
-                ++choices_;
-                Change other = change;
-                if (other.avoid(rival)) consider(other, rival, worstBefore[rival]);
-            }
-            if (faulty || rival < i) {
-                if (!change.avoid(i)) return;
-                continue;
-            }
-            worstBefore[i + 1] = std::max(worstBefore[i], made(change, i).cosine);
-            ++i;
-        }
-        if (worstBefore[change.size()] < best_.cosine) best_ = {change, worstBefore[change.size()]};
-    }
-
-    Index numberOf(Change& change, std::size_t i) {
-        Index& number = change.number(i);
-        if (number != kNone) return number;
-        const Triangle& t = change[i];
-        const auto [found, isNew] =
-            numbers_.try_emplace(std::uint64_t{t.a} << 32U | t.b, static_cast<Index>(made_.size()));
-        if (isNew) made_.emplace_back(points_, t);
-        return number = found->second;
-    }
-    /// The reference holds until the next call.
-    NewTriangle& made(Change& change, std::size_t i) { return made_[numberOf(change, i)]; }
-    /// Tests the next near triangle; true if it is in conflict with new triangle number `i`.
-    bool testNext(Index i) {
-        const std::size_t place = made_[i].tested++;
-        if (!conflict(points_, made_[i].shaped, near_[place].shaped)) return false;
-        made_[i].conflicts.push_back(place);
-        return true;
-    }
-    bool inConflict(Index i, Index old) {
-        NewTriangle& t = made_[i];
-        for (const auto& [triangle, answer] : t.withOld) {
-            if (triangle == old) return answer;
-        }
-        const bool answer = conflict(points_, t.shaped, m_.triangles[old]);
-        t.withOld.emplace_back(old, answer);
-        return answer;
-    }
-    /// True if new triangle number `i` is in conflict with number `k`.
-    bool inConflictWith(Index i, Index k) {
-        NewTriangle& t = made_[i];
-        if (t.withOthers.size() <= k) t.withOthers.resize(made_.size(), Answer::Unknown);
-        Answer& answer = t.withOthers[k];
-        if (answer == Answer::Unknown)
-            answer = conflict(points_, t.shaped, made_[k].shaped) ? Answer::Yes : Answer::No;
-        return answer == Answer::Yes;
-    }
-
-    /// The first triangle before `i` that is in conflict with it; else `i`.
-    std::size_t firstInConflict(Change& change, std::size_t i) {
-        const Index mine = numberOf(change, i);
-        std::size_t k = 0;
-        while (k < i && !inConflictWith(mine, numberOf(change, k))) ++k;
-        return k;
-    }
-
-    /// The first side of the place whose old triangle across is in conflict with new triangle `i`,
-    /// if that has a good shape; the number of sides if there is none.
-    std::size_t sideInTheWay(Change& change, std::size_t i) {
-        const Index mine = numberOf(change, i);
-        if (made_[mine].faults > 0 || made_[mine].cosine >= kThin) return change.size();
-        const auto isInTheWay = [&](HalfEdge outer) {
-            return outer != kNone && inConflict(mine, outer / 3);
-        };
-        std::size_t k = 0;
-        while (k < change.size() && !isInTheWay(change.across(k))) ++k;
-        return k;
-    }
-
-    bool isFaulty(Change& change, std::size_t i) {
-        const Index mine = numberOf(change, i);
-        NewTriangle& t = made_[mine];
-        // In the last rounds a single corner's normal may be against it, as in the last circuit of
-        // a ring (kCornerAllowed).
-        if (t.faults > (m_.round < kSettlingRound ? 0 : 1) || t.cosine >= kThin) return true;
-        // What is known already comes first.
-        const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
-        if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
-        if (t.across.isFolded(points_, m_, change[i], change.across(i))) return true;
-        while (t.tested < near_.size()) {
-            if (testNext(mine) && stays(t.conflicts.back())) return true;
-        }
-        return false;
-    }
-
-    const PointSet& points_;
-    RepairState& m_;
-    Index x_;
-    /// No new triangle may be in conflict with any of these.
-    std::vector<NearTriangle> near_;
-    std::vector<NewTriangle> made_;
-    std::unordered_map<std::uint64_t, Index> numbers_;  ///< Their numbers, by their old edges.
-    std::size_t choices_ = 0;
-    Insertion best_;
-};
-
-// ---- with the fewest faults ---------------------------------------------------------------------
-
-/// Largest number of triangles that make room for a point.
-constexpr std::size_t kMaxCheapGone = 3;
-/// The most faults that a place may add: those of a point in no triangle.
-constexpr int kMaxAdded = 1;
-/// A new triangle with this many faults is not counted to the end.
-constexpr int kTooMany = 8;
-
-/// The faults of a pair of triangles, by the classes of mesh/faults.h.
-int faultsOfPair(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
-    if (!conflict(points, a, b)) return 0;
-    const bool meet =
-        a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle);
-    const bool layer = isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
-    return (meet ? 1 : 0) + (layer ? 1 : 0);
-}
-
-/// A triangle with its faults, as far as they were counted.
-struct Counted {
-    std::size_t number = 0;  ///< Among those tested in NearTriangles.
-    int own = 0;             ///< Of its shape.
-    /// With others of the mesh: their indices and the number of faults.
-    std::vector<std::pair<Index, int>> pairs{};
-    int inPairs = 0;         ///< The sum of those.
-    std::size_t tested = 0;  ///< Number of triangles of NearTriangles that were tested.
-    FoldAcross across{};
-};
-
-/// The triangles near a point, ascending: what is counted depends on their order.
-std::vector<Index> nearAscending(const PointSet& points, RepairState& m, Index x) {
-    std::vector<Index> list = trianglesNear(points, m, std::array{x});
-    std::sort(list.begin(), list.end());
-    return list;
-}
-
-/// Finds the place for one point that adds the fewest faults.
-class CheapestSearch {
-  public:
-    CheapestSearch(const PointSet& points, RepairState& m, Index x)
-        : points_(points), m_(m), x_(x), near_(points, m, nearAscending(points, m, x)) {}
-
-    std::optional<Change> find() {
-        std::vector<Index> begins = trianglesListed(points_, m_, x_);
-        std::sort(begins.begin(), begins.end());
-        for (const Index t : begins) {
-            Change inside(m_, x_);
-            inside.replace(t);
-            consider(inside);
-            for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-                if (m_.twin[h] != kNone) continue;
-                Change outside(m_, x_);
-                outside.join(h);
-                consider(outside);
-            }
-        }
+    /// The place that adds the fewest faults, of equal ones that with the best angles.
+    std::optional<Change> findCheapest() {
+        forEachPlace([&](const Change& place) { countFaults(place); });
         return best_;
     }
 
   private:
-    /// Counts the faults with the next triangle near that has some; false if there is none.
-    bool countNext(Counted& t, Index itself) {
-        while (t.tested < near_.size()) {
-            const std::size_t i = near_.nextDoubtful(t.number, t.tested);
-            t.tested = i + 1;
-            if (i == near_.size() || near_.index(i) == itself) continue;
-            const int faults = faultsOfPair(points_, near_.tested(t.number), near_.shaped(i));
-            if (faults == 0) continue;
-            t.pairs.emplace_back(near_.index(i), faults);
-            t.inPairs += faults;
-            return true;
+    /// Calls visit(place) for the triangles at the points that x lists, and the sides of the border
+    /// there; the nearest first.
+    template <typename Visit>
+    void forEachPlace(Visit&& visit) {
+        for (const Index t : nearestListed()) {
+            Change inside(m_, x_);
+            inside.replace(t);
+            visit(inside);
+            for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+                if (m_.twin[h] != kNone) continue;
+                Change outside(m_, x_);
+                outside.join(h);
+                visit(outside);
+            }
         }
-        return false;
     }
-    const ShapedTriangle& shapedOf(const Counted& t) const { return near_.tested(t.number); }
-    /// A new triangle; the reference stays valid.
-    Counted& made(const Triangle& t) {
-        const auto [found, isNew] = made_.try_emplace(std::uint64_t{t.a} << 32U | t.b);
-        Counted& counted = found->second;
-        if (!isNew) return counted;
-        counted.number = near_.addTested(t);
-        const bool isBad =
-            shapeFaults(points_, t) >= kFlippedFault || leastAngleCosine(points_, t) >= kThin;
-        counted.own = isBad ? kTooMany : 0;
-        return counted;
+    std::vector<Index> nearestListed() const {
+        std::vector<std::pair<double, Index>> byDistance;
+        for (const Index t : trianglesListed(points_, m_, x_)) {
+            const Triangle& c = m_.triangles[t];
+            const Vec3 d =
+                points_.position[x_] - nearestPoint(points_.position[x_], points_.position[c.a],
+                                                    points_.position[c.b], points_.position[c.c]);
+            byDistance.emplace_back(glm::dot(d, d), t);
+        }
+        std::sort(byDistance.begin(), byDistance.end());
+        if (m_.round < kSettlingRound) byDistance.resize(std::min(byDistance.size(), kNearest));
+        std::vector<Index> list;
+        list.reserve(byDistance.size());
+        for (const auto& [distanceSq, t] : byDistance) list.push_back(t);
+        return list;
     }
-    const Counted& old(Index t) {
-        const Triangle& corners = m_.triangles[t];
-        const auto [found, isNew] = old_.try_emplace(t);
-        Counted& counted = found->second;
-        if (!isNew) return counted;
-        counted.number = near_.addTested(corners);
-        counted.own = shapeFaults(points_, corners) >= kFlippedFault ? 1 : 0;
-        while (counted.own + counted.inPairs < kTooMany && countNext(counted, t)) continue;
-        return counted;
+
+    // What is known of new triangles:
+
+    /// The reference stays valid.
+    NewTriangle& made(const Triangle& t) {
+        return made_.try_emplace(std::uint64_t{t.a} << 32U | t.b, points_, t).first->second;
     }
+    const std::vector<Index>& conflicts(NewTriangle& t) {
+        if (!t.conflicts) t.conflicts = conflictsOf(points_, m_, t.shaped.triangle);
+        return *t.conflicts;
+    }
+    /// True if new triangle `i` is folded onto the old one across its side.
+    bool isFoldedAcross(NewTriangle& t, HalfEdge outer) {
+        if (outer == kNone) return false;
+        if (std::exchange(t.outer, outer) != outer)
+            t.foldedAcross = folded(points_, t.shaped.triangle, m_.triangles[outer / 3]);
+        return t.foldedAcross;
+    }
+
+    // Without a fault:
+
+    /// Widens a place until no new triangle has a fault of shape; returns its least angle's cosine.
+    std::optional<double> widenUntilShaped(Change& place) {
+        double worst = -1.0;
+        for (std::size_t i = 0; i < place.size();) {
+            if (!hasBadShape(place, i)) {
+                worst = std::max(worst, made(place[i]).cosine);
+                ++i;
+            } else if (!place.avoid(i)) {
+                return std::nullopt;
+            }
+        }
+        return worst;
+    }
+    bool hasBadShape(const Change& change, std::size_t i) {
+        NewTriangle& t = made(change[i]);
+        // After the first round a single corner's normal may be against it, as in the last circuit
+        // of a ring (kCornerAllowed).
+        return t.faults > (m_.round == 0 ? 0 : 1) || t.cosine >= kThin ||
+               isFoldedAcross(t, change.across(i));
+    }
+
+    /// Widens a place until no new triangle has a fault; keeps it if it is the best so far.
+    void widenUntilSound(Change place) {
+        double worst = -1.0;
+        for (std::size_t i = 0; i < place.size();) {
+            if (isFaulty(place, i)) {
+                if (!place.avoid(i)) return;
+                continue;
+            }
+            worst = std::max(worst, made(place[i]).cosine);
+            if (worst >= bestAngle_) return;
+            ++i;
+        }
+        bestAngle_ = worst;
+        best_ = place;
+    }
+    /// True if new triangle `i` has a bad shape, or is in conflict with an old one that stays or a
+    /// new one before it.
+    bool isFaulty(const Change& place, std::size_t i) {
+        if (hasBadShape(place, i)) return true;
+        NewTriangle& mine = made(place[i]);
+        const std::vector<Index>& list = conflicts(mine);
+        if (!std::all_of(list.begin(), list.end(), [&](Index t) { return place.removes(t); }))
+            return true;
+        std::size_t k = 0;
+        while (k < i && !conflict(points_, mine.shaped, made(place[k]).shaped)) ++k;
+        return k < i;
+    }
+
+    // With the fewest faults:
 
     /// The faults of the triangles that a place replaces.
     int faultsOfGone(const Change& place) {
         int sum = 0;
         for (const Index t : place.gone()) {
-            const Counted& each = old(t);
-            sum += each.own;
-            for (const auto& [other, faults] : each.pairs) {
-                if (other > t || !place.removes(other)) sum += faults;
+            if (isSound(points_, m_, t)) continue;
+            sum += shapeFaults(points_, m_.triangles[t]) >= kFlippedFault ? 1 : 0;
+            for (const Index other : conflictsOf(points_, m_, m_.triangles[t])) {
+                if (other > t || !place.removes(other)) ++sum;
             }
         }
         return sum;
     }
-    /// The faults of a new triangle with those that stay, counted until they are more than `most`.
-    int faultsWithOld(const Change& place, std::size_t i, int most) {
-        Counted& t = made(place[i]);
-        int faults = t.own;
-        if (t.across.isFolded(points_, m_, place[i], place.across(i))) ++faults;
-        for (const auto& [other, count] : t.pairs) {
-            if (!place.removes(other)) faults += count;
-        }
-        while (faults <= most && countNext(t, kNone)) {
-            if (!place.removes(t.pairs.back().first)) faults += t.pairs.back().second;
-            // With so many it stays out, whatever goes.
-            if (t.inPairs < kTooMany) continue;
-            t.own = kTooMany;
-            return kTooMany;
-        }
-        return faults;
+    /// The faults of a new triangle with those that stay.
+    int faultsWithOld(const Change& place, std::size_t i) {
+        NewTriangle& t = made(place[i]);
+        const std::vector<Index>& list = conflicts(t);
+        const auto stay = std::count_if(list.begin(), list.end(),
+                                        [&](Index each) { return !place.removes(each); });
+        return static_cast<int>(stay) + (isFoldedAcross(t, place.across(i)) ? 1 : 0);
     }
     int faultsAmongNew(const Change& place) {
         int sum = 0;
         for (std::size_t i = 0; i < place.size(); ++i) {
-            const ShapedTriangle a = shapedOf(made(place[i]));
             for (std::size_t k = i + 1; k < place.size(); ++k) {
-                const ShapedTriangle& b = shapedOf(made(place[k]));
-                sum += faultsOfPair(points_, a, b);
+                const ShapedTriangle& a = made(place[i]).shaped;
+                const ShapedTriangle& b = made(place[k]).shaped;
+                sum += conflict(points_, a, b) ? 1 : 0;
                 const bool share = k == i + 1 || (i == 0 && k + 1 == place.size());
                 sum += share && folded(points_, a.triangle, b.triangle) ? 1 : 0;
             }
         }
         return sum;
     }
-    double worstAngle(const Change& place) const {
-        double worst = -1.0;
-        for (std::size_t i = 0; i < place.size(); ++i)
-            worst = std::max(worst, leastAngleCosine(points_, place[i]));
-        return worst;
-    }
 
-    /// Counts a place, and those that are wider by one triangle across a side with a fault.
-    void consider(const Change& place) {
+    /// Counts the faults of a place, and of those that are wider by one triangle across a side with
+    /// a fault.
+    void countFaults(const Change& place) {
         const std::size_t replaced = place.gone().size();
+        if (made_.size() >= kMaxCheapMade) return;
         if (replaced > 0 && !isNew({place.gone().begin(), place.gone().end()})) return;
-        const int gone = faultsOfGone(place);
-        const int most = std::min(kMaxAdded + gone, kTooMany - 1);
-        const bool mayWiden = replaced > 0 && replaced < kMaxCheapGone;
         std::array<bool, kMaxMade> isFaulty{};
-        int sum = 0;
+        bool isBad = false;
+        int added = -faultsOfGone(place);
+        double angle = -1.0;
         for (std::size_t i = 0; i < place.size(); ++i) {
-            // Of a place with too many faults it matters only which triangles have some.
-            if (sum > most && !mayWiden) return;
-            const int faults = faultsWithOld(place, i, std::max(most - sum, 0));
-            isFaulty[i] = faults > 0;
-            sum += faults;
+            const NewTriangle& t = made(place[i]);
+            const bool isThin = t.faults >= kFlippedFault || t.cosine >= kThin;
+            const int faults = isThin ? 0 : faultsWithOld(place, i);
+            isFaulty[i] = isThin || faults > 0;
+            isBad = isBad || isThin;
+            added += faults;
+            angle = std::max(angle, t.cosine);
         }
-        if (sum <= most) compare(place, sum + faultsAmongNew(place) - gone);
-        if (!mayWiden) return;
+        if (!isBad && added <= kMaxAdded) keepIfBest(place, added + faultsAmongNew(place), angle);
+        if (replaced == 0 || replaced == kMaxCheapGone) return;
         for (std::size_t i = 0; i < place.size(); ++i) {
             Change wider = place;
-            if (isFaulty[i] && wider.widen(i)) consider(wider);
+            if (isFaulty[i] && wider.widen(i)) countFaults(wider);
         }
     }
     /// True when these triangles, in any order, come up for the first time.
@@ -538,10 +361,7 @@ class CheapestSearch {
         std::sort(gone.begin(), gone.end());
         return considered_.insert(std::move(gone)).second;
     }
-    /// Keeps the place if it is the best so far.
-    void compare(const Change& place, int added) {
-        if (added > kMaxAdded) return;
-        const double angle = worstAngle(place);
+    void keepIfBest(const Change& place, int added, double angle) {
         if (added > leastAdded_ || (added == leastAdded_ && angle >= bestAngle_)) return;
         leastAdded_ = added;
         bestAngle_ = angle;
@@ -551,13 +371,11 @@ class CheapestSearch {
     const PointSet& points_;
     RepairState& m_;
     Index x_;
-    NearTriangles near_;
-    std::unordered_map<std::uint64_t, Counted> made_;  ///< By their old edges.
-    std::unordered_map<Index, Counted> old_;
+    std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
     std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
     std::optional<Change> best_;
-    int leastAdded_ = std::numeric_limits<int>::max();
-    double bestAngle_ = 2.0;  ///< The cosine of its least angle.
+    int leastAdded_ = kMaxAdded;
+    double bestAngle_ = 2.0;  ///< The cosine of its least angle: the smaller, the better.
 };
 
 // ---- reinsert -----------------------------------------------------------------------------------
@@ -590,8 +408,8 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
     for (; m.next < end; ++m.next) {
         const Index x = points.inOrder(m.next % count);
         if (m.sideOf[x] != kNone || !isWithinReach(points, m, x)) continue;
-        const std::optional<Change> change =
-            m.next < count ? PlaceSearch(points, m, x).find() : CheapestSearch(points, m, x).find();
+        PlaceSearch search(points, m, x);
+        const std::optional<Change> change = m.next < count ? search.find() : search.findCheapest();
         if (!change) continue;
         const auto replaced = static_cast<Index>(change->gone().size());
         change->apply(m);

@@ -17,11 +17,8 @@ Index reachedSides(const RepairState& m, Index p) {
 HalfEdge putTriangle(RepairState& m, std::span<const Index> gone, std::size_t i,
                      const Triangle& t) {
     const auto place = i < gone.size() ? gone[i] : static_cast<Index>(m.triangles.size());
-    if (place == m.triangles.size()) {
-        m.triangles.push_back({});
-        m.twin.resize(m.twin.size() + 3, kNone);
-    }
-    m.triangles.set(place, t);
+    if (place == m.triangles.size()) m.twin.resize(m.twin.size() + 3, kNone);
+    m.setTriangle(place, t);
     for (HalfEdge h = 3 * place; h < 3 * place + 3; ++h) m.twin.set(h, kNone);
     return 3 * place;
 }
@@ -33,7 +30,7 @@ void dropTriangle(RepairState& m, Index t) {
     m.conflictFlips.pop_back();
     for (Index k = 0; k < 3; ++k) m.twin.set(3 * t + k, kNone);
     if (t != last) {
-        m.triangles.set(t, m.triangles[last]);
+        m.setTriangle(t, m.triangles[last]);
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge from = 3 * last + k;
             const HalfEdge to = 3 * t + k;
@@ -48,7 +45,7 @@ void dropTriangle(RepairState& m, Index t) {
             m.queue.push_back(to);
         }
     }
-    m.triangles.pop_back();
+    m.popTriangle();
     m.twin.resize(3 * std::size_t{last});
 }
 

@@ -91,24 +91,31 @@ HalfEdge putTriangle(RepairState& m, std::span<const Index> gone, std::size_t i,
 void dropTriangle(RepairState& m, Index t);
 void dropTriangles(RepairState& m, std::vector<Index> list);
 
-/// The triangles, in the fan of RepairState::sideOf, at all points as near to one of these as the
-/// farthest in its list, each once, in any order. Those on another sheet are among them, whose
-/// points are in no list here.
-std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
-                                 std::span<const Index> places);
+/// A triangle of the mesh, other than those `gone`, that one is in conflict with; kNone if there is
+/// none. Which of several is not specified.
+Index firstConflict(const PointSet& points, RepairState& m, const Triangle& t,
+                    std::span<const Index> gone);
 
-/// True if one of two triangles that take the place of others would be in conflict with one near
-/// the places.
-bool conflictNearby(const PointSet& points, RepairState& m, const std::array<Triangle, 2>& made,
-                    std::array<Index, 2> gone, std::span<const Index> places);
+/// All triangles of the mesh that one is in conflict with, ascending.
+std::vector<Index> conflictsOf(const PointSet& points, RepairState& m, const Triangle& t);
 
-/// The conflicts of two such triangles with those at the places, none of which is pinched; counted
-/// until they are more than `most`.
-int conflictsAt(const PointSet& points, RepairState& m, const std::array<Triangle, 2>& made,
-                std::array<Index, 2> gone, std::span<const Index> places, int most);
+/// The conflicts of triangles that take the place of two others; counted until they are more than
+/// `most`.
+int countConflicts(const PointSet& points, RepairState& m, std::span<const Triangle> made,
+                   std::array<Index, 2> gone, int most);
 
-/// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
+/// True if the triangle is so far off the normal of a corner that it may be in conflict.
+bool isRough(const PointSet& points, const RepairState& m, Index t);
+
+/// True if the triangle was neither flipped nor in conflict when that was asked for the first time
+/// with these corners.
+bool isSound(const PointSet& points, RepairState& m, Index t);
+
+/// True if the triangle is rough and not sound; found out once for a triangle that is not.
 bool isFaulty(const PointSet& points, RepairState& m, Index t);
+
+/// Asks isSound() of all triangles that are rough or beside a rough one, on all cores.
+void findSound(const PointSet& points, RepairState& m);
 
 /// The cosine of 1.1 degrees. Triangles with a smaller angle, almost without width, are worse than
 /// a hole or a point that is left out.

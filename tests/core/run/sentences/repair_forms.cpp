@@ -147,13 +147,6 @@ int faultsOf(const C& c, const Triangles& mesh, const std::array<Triangle, 2>& t
     }
     return sum + fold(two[0], two[1]);
 }
-Triangles atPoints(const Triangles& mesh, const std::array<Index, 4>& points) {
-    Triangles list;
-    std::copy_if(mesh.begin(), mesh.end(), std::back_inserter(list), [&](const Triangle& t) {
-        return std::any_of(points.begin(), points.end(), [&](Index x) { return has(t, x); });
-    });
-    return list;
-}
 void flips(C& c) {
     const Index u = c.point(0);
     const Index v = c.point(1);
@@ -169,14 +162,19 @@ void flips(C& c) {
     };
     if (c.word(4) == "its least angle") return c.need(least(after) > least(before), "least angle");
     c.need(c.word(4) == "fewer faults there", "measure");
-    c.need(faultsOf(c, atPoints(c.w.state.mesh(), {u, v, x, y}), after) <
-               faultsOf(c, atPoints(c.w.meshWas, {u, v, x, y}), before),
+    // In the whole mesh or, where a pair farther away is at the limit of a conflict, at the points.
+    const auto atPoints = [&](const Triangles& mesh) {
+        Triangles at;
+        std::copy_if(mesh.begin(), mesh.end(), std::back_inserter(at), [&](const Triangle& t) {
+            return has(t, u) || has(t, v) || has(t, x) || has(t, y);
+        });
+        return at;
+    };
+    const Triangles& now = c.w.state.mesh();
+    const Triangles& was = c.w.meshWas;
+    c.need(faultsOf(c, now, after) < faultsOf(c, was, before) ||
+               faultsOf(c, atPoints(now), after) < faultsOf(c, atPoints(was), before),
            "fewer faults");
-}
-void takesOut(C& c) {
-    isFaulty(c, 0);
-    const Index x = c.point(3);
-    c.need(!c.w.at[x].empty() && countAt(c.w.state.mesh(), x) == 0, "taken out");
 }
 void remeshes(C& c) {
     isFaulty(c, 0);
@@ -199,7 +197,6 @@ constexpr auto kRepairForms = std::to_array<SentenceForm>({
     {Stage::CloseHole, kNoVerdict, "The hole of {} points at {} - {} is filled.", fillsHole},
     {Stage::Flip, kNoVerdict, "Edge {} - {} is better as {} - {}, by {}: flipped.", flips},
     {Stage::Remesh, kNoVerdict, "Triangle ({}, {}, {}) has a fault: those about it are replaced.", remeshes},
-    {Stage::RemoveFolded, kNoVerdict, "Triangle ({}, {}, {}) has a fault: point {} is taken out, and the hole filled.", takesOut},
 });
 // clang-format on
 

@@ -1,0 +1,173 @@
+#include "spiraling_edge/stepper/robust/mesh_tree.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/second_layer.h"
+#include "spiraling_edge/geometry/z_curve.h"
+
+namespace se {
+
+void MeshTree::Bounds::add(const Bounds& o) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], o.low[i]);
+        high[i] = std::max(high[i], o.high[i]);
+    }
+}
+
+MeshTree::Bounds MeshTree::bounds(const Box& box) const {
+    // Far above the rounding of coordinates, which are hardly larger than 1.
+    constexpr double kMargin = 1e-6;
+    Bounds found;
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        found.low[k] = static_cast<float>((box.low[i] - middle_[i]) * scale_ - kMargin);
+        found.high[k] = static_cast<float>((box.high[i] - middle_[i]) * scale_ + kMargin);
+    }
+    return found;
+}
+
+MeshTree::Node::Node() {
+    for (std::size_t i = 0; i < kWidth; ++i) setBox(i, {});
+}
+
+MeshTree::Bounds MeshTree::Node::box(std::size_t place) const {
+    return {{low[0][place], low[1][place], low[2][place]},
+            {high[0][place], high[1][place], high[2][place]}};
+}
+
+void MeshTree::Node::setBox(std::size_t place, const Bounds& box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        low[i][place] = box.low[i];
+        high[i][place] = box.high[i];
+    }
+}
+
+/// Around the boxes of all children.
+MeshTree::Bounds MeshTree::Node::all() const {
+    Bounds sum;
+    for (std::size_t i = 0; i < kWidth; ++i) sum.add(box(i));
+    return sum;
+}
+
+MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
+    : points_(points), placeOf_(triangles.size(), kNone) {
+    std::optional<Box> all;
+    for (const Vec3& p : points.position) {
+        if (!isFinite(p)) continue;
+        if (!all) all.emplace(p);
+        all->add(p);
+    }
+    if (all) middle_ = 0.5 * all->low + 0.5 * all->high;
+    const Vec3 sides = all ? all->high - all->low : Vec3(0.0);
+    const double extent = std::max({sides.x, sides.y, sides.z});
+    if (extent > 0.0 && 1.0 / extent < std::numeric_limits<double>::max()) scale_ = 1.0 / extent;
+    std::vector<Vec3> middles(triangles.size());
+    std::vector<Bounds> wide(triangles.size());
+    constexpr std::size_t kPerThread = 1 << 12;
+    forEachItem(triangles.size(), 0, kPerThread, [&](std::size_t i) {
+        const Box box = boxOf(points, triangles[i]);
+        middles[i] = 0.5 * (box.low + box.high);
+        wide[i] = bounds(box.grown(layerReach(points, triangles[i])));
+    });
+    nodes_.reserve(triangles.size() / 2 + 1);
+    nodes_.emplace_back();
+    // A level after the other, from the leaves on.
+    Index count = 0;
+    for (const Index t : zCurveOrder(middles)) {
+        if (count == kWidth * nodes_.size()) nodes_.emplace_back();
+        set(count / kWidth, count % kWidth, t, wide[t]);
+        ++count;
+    }
+    Index begin = 0;
+    auto end = static_cast<Index>(nodes_.size());
+    while (end - begin > 1) {
+        for (Index i = begin; i < end; ++i) {
+            if ((i - begin) % kWidth == 0) nodes_.emplace_back().isLeaf = false;
+            set(static_cast<Index>(nodes_.size() - 1), (i - begin) % kWidth, i, nodes_[i].all());
+        }
+        begin = std::exchange(end, static_cast<Index>(nodes_.size()));
+    }
+    root_ = end - 1;
+}
+
+void MeshTree::set(Index node, Index place, Index child, const Bounds& box) {
+    nodes_[node].setBox(place, box);
+    nodes_[node].child[place] = child;
+    (nodes_[node].isLeaf ? placeOf_[child] : nodes_[child].parent) = kWidth * node + place;
+}
+
+/// Grows the boxes above a node.
+void MeshTree::grow(Index node, const Bounds& box) {
+    for (Index up = nodes_[node].parent; up != kNone; up = nodes_[up / kWidth].parent) {
+        Bounds grown = nodes_[up / kWidth].box(up % kWidth);
+        grown.add(box);
+        nodes_[up / kWidth].setBox(up % kWidth, grown);
+    }
+}
+
+Index MeshTree::leafFor(const Bounds& box) const {
+    Index at = root_;
+    while (!nodes_[at].isLeaf) {
+        const Node& node = nodes_[at];
+        float least = kFar;
+        for (Index i = 0; i < kWidth; ++i) {
+            if (node.child[i] == kNone) continue;
+            Bounds grown = node.box(i);
+            const float before = grown.size();
+            grown.add(box);
+            // Of boxes that need not grow the smallest.
+            const float cost = grown.size() - 0.999F * before;
+            if (!(cost < least)) continue;
+            least = cost;
+            at = node.child[i];
+        }
+    }
+    return at;
+}
+
+/// Makes a full leaf the parent of two: one with its triangles, and an empty one, which is
+/// returned.
+Index MeshTree::split(Index leaf) {
+    const auto full = static_cast<Index>(nodes_.size());
+    nodes_.push_back(nodes_[leaf]);
+    nodes_.emplace_back();
+    for (Index i = 0; i < kWidth; ++i) set(full, i, nodes_[full].child[i], nodes_[full].box(i));
+    Node inner;
+    inner.parent = nodes_[leaf].parent;
+    inner.isLeaf = false;
+    nodes_[leaf] = inner;
+    set(leaf, 0, full, nodes_[full].all());
+    set(leaf, 1, full + 1, {});
+    return full + 1;
+}
+
+void MeshTree::put(Index t, const Triangle& corners) {
+    if (t >= placeOf_.size()) placeOf_.resize(t + 1, kNone);
+    const Bounds box = bounds(boxOf(points_, corners).grown(layerReach(points_, corners)));
+    Index place = placeOf_[t];
+    // A triangle that changes mostly stays near.
+    if (place == kNone || nodes_[place / kWidth].meeting(box) == 0) {
+        remove(t);
+        Index leaf = leafFor(box);
+        const auto& children = nodes_[leaf].child;
+        if (std::find(children.begin(), children.end(), kNone) == children.end())
+            leaf = split(leaf);
+        const auto& left = nodes_[leaf].child;
+        place = kWidth * leaf +
+                static_cast<Index>(std::find(left.begin(), left.end(), kNone) - left.begin());
+    }
+    set(place / kWidth, place % kWidth, t, box);
+    grow(place / kWidth, box);
+}
+
+void MeshTree::remove(Index t) {
+    if (t >= placeOf_.size() || placeOf_[t] == kNone) return;
+    const Index place = std::exchange(placeOf_[t], kNone);
+    nodes_[place / kWidth].setBox(place % kWidth, {});
+    nodes_[place / kWidth].child[place % kWidth] = kNone;
+}
+
+}  // namespace se
