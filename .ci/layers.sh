@@ -158,6 +158,7 @@ same() { # PATTERN FILE...: each match of the file says the version, or its firs
 }
 same '^version: .*' CITATION.cff
 same '"version": "[0-9.]*"' app/packaging/vcpkg/vcpkg.json
+same '^version = .*' app/python/pyproject.toml
 same '^## [0-9][^,]*,' CHANGELOG.md
 same 'find_package\(spiraling_edge [0-9.]+' README.md docs/library.md
 

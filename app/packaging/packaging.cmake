@@ -1,5 +1,5 @@
-# Included last by the main file: what packages have beside programs and library, and Debian packages by
-# CPack, one per install component that this build has (docs/packages.md). `cpack --preset package`
+# Included last by the main file: the files of packages beside programs and library, and Debian packages by
+# CPack, one per install component that this build has (README.md). `cpack --preset package`
 # makes them; app/packaging/test.sh tests them.
 set(packaging "${CMAKE_CURRENT_LIST_DIR}")
 
@@ -36,7 +36,7 @@ if(SPIRALING_EDGE_BUILD_VIEWER)
         DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT viewer)
 endif()
 
-# What app/web/build.sh has made, if it was: the page that `spiraling-edge export --app` fills, and the site.
+# The pages of app/web/build.sh, where it has made them: the one that `spiraling-edge export --app` fills, and the site.
 set(SPIRALING_EDGE_SITE "${PROJECT_SOURCE_DIR}/build-web" CACHE PATH
     "Folder with spiraling-edge.html and site/, for the package spiraling-edge-web")
 if(EXISTS "${SPIRALING_EDGE_SITE}/spiraling-edge.html")
@@ -107,7 +107,7 @@ version." DEPENDS "libglm-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_CONTROL_EXTRA "${packaging}/dev/triggers")
 if(python IN_LIST components)
     # A compiled module is for one version of Python. What Python compiles on its own is removed with the package.
-    execute_process(COMMAND /usr/bin/python3 -c "import sys; print('python3 (>= 3.%d), python3 (<< 3.%d)' %
+    execute_process(COMMAND "${SPIRALING_EDGE_PYTHON_EXECUTABLE}" -c "import sys; print('python3 (>= 3.%d), python3 (<< 3.%d)' %
 (sys.version_info[1], sys.version_info[1] + 1))" OUTPUT_VARIABLE python_version OUTPUT_STRIP_TRAILING_WHITESPACE)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${packaging}/python/postinst;${packaging}/python/prerm")
 endif()

@@ -50,6 +50,7 @@ class SpiralingEdge(ConanFile):
         toolchain = CMakeToolchain(self)
         for part in ("CLI", "VIEWER", "TESTS"):
             toolchain.cache_variables[f"SPIRALING_EDGE_BUILD_{part}"] = False
+        toolchain.cache_variables["SPIRALING_EDGE_PYTHON"] = "OFF"
         toolchain.cache_variables["SPIRALING_EDGE_BUILD_SAMPLING"] = bool(self.options.sampling)
         toolchain.generate()
 

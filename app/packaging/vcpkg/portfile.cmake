@@ -4,7 +4,8 @@ get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS options FEATURES sampling SPIRALING_EDGE_BUILD_SAMPLING)
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}" OPTIONS ${options}
-    -DSPIRALING_EDGE_BUILD_CLI=OFF -DSPIRALING_EDGE_BUILD_VIEWER=OFF -DSPIRALING_EDGE_BUILD_TESTS=OFF)
+    -DSPIRALING_EDGE_BUILD_CLI=OFF -DSPIRALING_EDGE_BUILD_VIEWER=OFF -DSPIRALING_EDGE_BUILD_TESTS=OFF
+    -DSPIRALING_EDGE_PYTHON=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME spiraling_edge CONFIG_PATH lib/cmake/spiraling_edge)
 vcpkg_fixup_pkgconfig()
