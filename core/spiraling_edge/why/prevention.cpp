@@ -97,14 +97,15 @@ class PreventionSearch {
     /// follow. False if cancelled.
     bool compareHere(Stepper& plain, bool isLast) {
         const State before = plain.state();
+        const auto never = [] { return false; };
         plain.stepPivot();
+        if (isLast && !advanceUntil(plain, left_, goesOn_, never)) return false;
         const std::uint64_t expected = stateHash(plain.state());
         for (Candidate& each : candidates_) {
             if (each.differs) continue;
             Stepper fork(points_, each.params);
             fork.setState(withEdges(before, each.params));
             fork.stepPivot();
-            const auto never = [] { return false; };
             if (isLast && !advanceUntil(fork, left_, goesOn_, never)) return false;
             each.differs = isLast ? fork.state().mesh() != plain.state().mesh()
                                   : stateHash(fork.state()) != expected;

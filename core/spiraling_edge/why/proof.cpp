@@ -114,7 +114,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     aim.effect = [&](const State& state) {
         return isInMesh(state.mesh(), subject) == ledger.present ? Effect::None : Effect::Changed;
     };
-    aim.isFault = !ledger.present;
+    aim.findsRule = !ledger.present;
     const Status done = conclude(points, params, aim, std::move(all), length, limits, ledger,
                                  partOf(progress, 2.0 * kLedgerShare, 1.0));
     if (!done.ok()) return done.error();

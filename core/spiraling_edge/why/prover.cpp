@@ -279,7 +279,7 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
                                       limits, partOf(progress, 0.0, kProofShare));
     if (!proof) return proof.error();
     settle(ledger, proof.value());
-    if (!aim.isFault) return success();
+    if (!aim.findsRule) return success();
     const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left, ledger,
                                     partOf(progress, kProofShare, 1.0));
     return done ? success() : Status(Error{"Cancelled."});

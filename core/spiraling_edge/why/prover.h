@@ -50,8 +50,8 @@ struct ProofAim {
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
     std::function<Effect(const State& end)> effect;
-    /// A rule that changes the answer is looked for as well: it is about something that is wrong.
-    bool isFault = true;
+    /// A rule that changes the answer is looked for as well.
+    bool findsRule = true;
 };
 
 /// The result of a search for a proof.
@@ -97,9 +97,9 @@ Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& 
                     const ProofLimits& limits, const Progress& progress);
 
 /// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none:
-/// makes its cause that of the proof, and its answer the sentences about it, of a fault with the
-/// rule that prevents it (prevention.h). Requires Ledger::words of the cause so
-/// far. Fails if cancelled.
+/// makes its cause that of the proof, and its answer the sentences about it, with
+/// the rule that changes it where ProofAim::findsRule (prevention.h). Requires Ledger::words of the
+/// cause so far. Fails if cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
                 std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
                 Ledger& ledger, const Progress& progress);
