@@ -2,6 +2,8 @@
 import gc
 import gzip
 import re
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -199,3 +201,50 @@ def test_threads_make_equal_meshes_at_once(torus):
 def test_a_mesh_shows_itself_as_a_picture(torus):
     png = se.reconstruct(torus).png(size=100)
     assert png.startswith(b"\x89PNG") and png[16:24] == bytes([0, 0, 0, 100] * 2)
+
+
+def test_the_file_of_the_points_is_replaced_only_by_force(tmp_path):
+    scan = tmp_path / "scan.ply"
+    se.reconstruct("scene:torus").write(scan)
+    before = scan.read_bytes()
+    mesh = se.reconstruct(str(scan), rule={"flip": False})
+    with pytest.raises(ValueError, match="force=True"):
+        mesh.write(scan)
+    assert scan.read_bytes() == before
+    mesh.write(scan, force=True)
+
+
+def test_prepared_points_keep_their_rules_and_refuse_those_that_prepare_otherwise():
+    prepared = se.prepare("scene:noise", rules="corrected", rule={"maxgap": 100})
+    assert "maxgap" in se.Run(prepared).prepared.options
+    assert se.reconstruct(prepared).options == prepared.options
+    with pytest.raises(ValueError, match="prepare the points"):
+        se.Run(prepared, rules="paper")
+
+
+def test_damaged_gzip_names_the_file(tmp_path):
+    whole = gzip.compress(b"0 0 0\n1 0 0\n0 1 0\n0 0 1\n" * 50)
+    for damage in (whole[:-9], whole[:-6] + b"\0" + whole[-5:]):
+        packed = tmp_path / "points.xyz.gz"
+        packed.write_bytes(damage)
+        with pytest.raises(se.InputError, match="points.xyz.gz"):
+            se.read(packed)
+
+
+@pytest.mark.parametrize("options", [{"neighbors": {}}, {"rule": "maxgap=100"}, {"rule": {"maxgap": None}}])
+def test_options_of_a_wrong_kind_are_refused(options):
+    with pytest.raises(ValueError, match="expected"):
+        se.prepare("scene:torus", **options)
+
+
+def test_any_false_answer_of_progress_cancels():
+    for answer in (False, np.False_, 0):
+        with pytest.raises(se.Cancelled):
+            se.best("scene:torus", progress=lambda share: answer)
+
+
+def test_a_thread_at_work_does_not_abort_python_that_ends():
+    script = ("import threading, time, spiraling_edge as se\n"
+              "threading.Thread(target=se.best, args=('scene:noise',), daemon=True).start()\n"
+              "time.sleep(0.3)\n")
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0

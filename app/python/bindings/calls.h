@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -21,7 +22,7 @@ namespace py = pybind11;
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-/// The callback of `progress=` returned False: se.Cancelled.
+/// The callback of `progress=` returned a false value: se.Cancelled.
 struct Cancelled : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -33,6 +34,41 @@ Value require(Result<Value> result) {
     return std::move(result).value();
 }
 
+/// Keeps a thread that would take the lock while Python ends: Python would unwind it through code
+/// that cannot throw, and abort the process.
+inline void waitWherePythonEnds() {
+#if PY_VERSION_HEX >= 0x030D0000
+    while (Py_IsFinalizing())
+#else
+    while (_Py_IsFinalizing())
+#endif
+        std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+/// The lock of the interpreter, taken for code of Python.
+class Locked {
+  private:
+    struct Wait {
+        Wait() { waitWherePythonEnds(); }
+    } wait_;
+    py::gil_scoped_acquire lock_;
+};
+
+/// Work without the lock of the interpreter, which is taken again after it.
+class Unlocked {
+  public:
+    Unlocked() { free_.emplace(); }
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+    ~Unlocked() {
+        waitWherePythonEnds();
+        free_.reset();
+    }
+
+  private:
+    std::optional<py::gil_scoped_release> free_;
+};
+
 /// A call that runs code of Python on its way: the first exception, also of Ctrl+C, ends it.
 class Call {
   public:
@@ -41,11 +77,12 @@ class Call {
 
     /// Called without the lock. False if the work has to end.
     bool goOn(double share) {
-        const py::gil_scoped_acquire locked;
+        const Locked locked;
         return attempt([&] {
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            if (!report_.is_none() && report_(share).is(py::bool_(false)))
-                throw Cancelled("Cancelled.");
+            if (report_.is_none()) return true;
+            const py::object answer = report_(share);
+            if (!answer.is_none() && !py::bool_(answer)) throw Cancelled("Cancelled.");
             return true;
         });
     }
@@ -77,7 +114,7 @@ auto longCall(const py::object& report, const Work& work) {
     const auto progress = [&call](double share) { return call.goOn(share); };
     std::optional<decltype(work(progress))> value;
     {
-        const py::gil_scoped_release free;
+        const Unlocked unlocked;
         call.attempt([&] { return value.emplace(work(progress)), true; });
     }
     call.finish();

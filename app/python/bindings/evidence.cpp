@@ -35,7 +35,6 @@ constexpr std::array<std::string_view, std::variant_size_v<Evidence>> kNames{
     "first second length",
     "u v x y for_angles",
     "faulty",
-    "point faulty",
     "triangle corners",
     "point inserted status",
     "point active_length stacked_length stack_depth",

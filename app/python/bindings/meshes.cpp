@@ -233,8 +233,9 @@ void writeSession(const PreparedRun& run, const std::string& folder, const std::
         writeFileAtomically(place / "run.sesession", sessionText({"points.ply", spec, address})));
 }
 
-/// The same points with the rules of these options.
+/// The same points with the rules of these options; without any, with their own.
 SharedRun withRules(const PreparedRun& run, const Options& options) {
+    if (options.empty()) return std::make_shared<PreparedRun>(run);
     for (const auto& option : options) {
         const SpecField* const field = findSpecField(option.first);
         if (field != nullptr && field->group != SpecGroup::Rules)
@@ -242,7 +243,14 @@ SharedRun withRules(const PreparedRun& run, const Options& options) {
     }
     PreparedRun other = run;
     other.spec = other.named = withOptions(withRulesOf(run.named, {}), options);
-    possibleParams(other);
+    const Params before = paramsFrom(run.spec);
+    const Params after = possibleParams(other);
+    if (before.setNoiseAside != after.setNoiseAside ||
+        before.setStraysAside != after.setStraysAside ||
+        before.dropOpposingNormals != after.dropOpposingNormals)
+        throw std::invalid_argument(
+            "rules: these set other points aside, or others from the lists; prepare the points by "
+            "them");
     return std::make_shared<PreparedRun>(std::move(other));
 }
 
@@ -268,6 +276,7 @@ void bindMeshes(py::module_& module) {
     });
     py::class_<PreparedRun, SharedRun>(module, "PreparedRun")
         .def("parts", [](const PreparedRun& run) { return partsOf(run); })
+        .def("source", [](const PreparedRun& run) { return py::bytes(run.spec.source); })
         .def("write_session", writeSession)
         .def("with_rules", withRules);
     module.def("prepare", [](const Input& input, const Options& options, const py::object& report) {

@@ -126,7 +126,7 @@ class Cursor {
     template <typename Move>
     bool moved(const Move& move) {
         return turn_.take([&] {
-            const py::gil_scoped_release free;
+            const Unlocked unlocked;
             return move();
         });
     }
@@ -195,7 +195,7 @@ class PythonStepper {
     const char* runUntil(const py::object& self, const py::object& condition,
                          const py::object& report) {
         return kReasons[static_cast<std::size_t>(called(Call(report), [&] {
-            const py::gil_scoped_release free;
+            const Unlocked unlocked;
             return stepper_.runUntil([&](const State& now) {
                 const auto goOn = [&](double share) { return call_->goOn(share); };
                 return !goOnAt(now, goOn) || (!condition.is_none() && asks(condition, self));
@@ -219,7 +219,7 @@ class PythonStepper {
     /// True if a function says so, or has thrown: then the run ends.
     template <typename Argument>
     bool asks(const py::object& function, const Argument& argument) {
-        const py::gil_scoped_acquire locked;
+        const Locked locked;
         if (call_->isOver()) return true;
         return !call_->attempt([&] { return !py::bool_(function(argument)); });
     }

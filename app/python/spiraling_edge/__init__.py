@@ -253,10 +253,15 @@ class Mesh:
             self._verdict = _verdict(self._made.judge())
         return self._verdict
 
-    def write(self, path: Union[str, "os.PathLike[str]"], used_points: bool = False, normals: bool = False) -> None:
+    def write(self, path: Union[str, "os.PathLike[str]"], used_points: bool = False, normals: bool = False,
+              force: bool = False) -> None:
         """Writes PLY, OBJ, OFF, STL or GLB by the extension, as `spiraling-edge run -o` does; no partial file is left.
-        used_points: only those in a triangle; normals: also in OFF. Raises OSError, ValueError."""
-        self._made.write(os.fsencode(path), used_points, normals)
+        used_points: only those in a triangle; normals: also in OFF; force: also in place of the file that the points
+        are of. Raises OSError, ValueError."""
+        name, source = os.fsencode(path), self._made.run.source()
+        if not force and os.path.exists(name) and os.path.exists(source) and os.path.samefile(name, source):
+            raise ValueError(f"{os.fsdecode(name)}: the points are from this file; force=True replaces it")
+        self._made.write(name, used_points, normals)
 
     def png(self, size: int = 480, view: Sequence[float] = (0.5, -0.8, 0.45)) -> bytes:
         """A picture of the mesh, seen from the direction `view`, z up; the inner side is orange."""
@@ -298,6 +303,8 @@ def _state(parts: Dict[str, Any], prepared: Prepared, before: Optional[State] = 
 def _rows(values: Any, name: str) -> Tuple[np.ndarray, bool]:
     """An (n, 3) array of doubles, and whether the values were single."""
     array = np.asarray(values)
+    if np.ma.isMaskedArray(values):
+        raise ValueError(f"{name}: has a mask; leave out or fill what it hides")
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name}: expected numbers, not {array.dtype}")
     if array.ndim != 2 or array.shape[1] != 3:
@@ -332,25 +339,37 @@ def _text(value: Any) -> str:
         return str(int(value))
     if isinstance(value, numbers.Real):
         return repr(float(value))
-    return value if isinstance(value, str) else ",".join(map(_text, np.ravel(value).tolist()))
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return ",".join(map(_text, np.ravel(value).tolist()))
+    raise ValueError(f"expected a number, a word or several, not {value!r}")
 
 
-def _texts(rules: str, normals: Any, options: Dict[str, Any]) -> Tuple[List[Tuple[str, str]], Any]:
+def _texts(rules: Optional[str], normals: Any, options: Dict[str, Any]) -> Tuple[List[Tuple[str, str]], Any]:
     """Options as keys and texts, and the normals unless they are a word."""
-    texts = [("rules", rules)]
+    texts = [] if rules is None else [("rules", _text(rules))]
     if isinstance(normals, str):
         texts, normals = texts + [("normals", normals)], None
     for name, value in options.items():
+        if value is None:
+            continue
         if name == "rule":
+            if not isinstance(value, dict):
+                raise ValueError(f'rule: expected settings such as {{"maxgap": 100}}, not {value!r}')
             texts += [("switches", f"{rule}={_text(setting)}") for rule, setting in value.items()]
         elif name == "what_if":
             texts += [("what_if", line) for line in ([value] if isinstance(value, str) else value)]
-        elif value is not None:
+        else:
             texts.append((name, _text(value)))
     return texts, normals
 
 
-def _prepare(points: Any, normals: Any, rules: str, options: Dict[str, Any], progress: Progress = None) -> Any:
+def _prepare(points: Any, normals: Any, rules: Optional[str], options: Dict[str, Any], usual: str,
+             progress: Progress = None) -> Any:
+    """Prepared points for rules; None: those of prepared points, `usual` for others."""
+    if rules is None and not isinstance(points, Prepared):
+        rules = usual
     texts, normals = _texts(rules, normals, options)
     if not isinstance(points, Prepared):
         return _core.prepare(_input(points, normals), texts, progress)
@@ -368,8 +387,12 @@ def read(source: Union[str, bytes, "os.PathLike[str]"]) -> Points:
             packed = file.read(2)
     if packed == b"\x1f\x8b":
         import gzip
-        with gzip.open(name, "rb") as stream:
-            content = stream.read(MOST_BYTES + 1)
+        import zlib
+        try:
+            with gzip.open(name, "rb") as stream:
+                content = stream.read(MOST_BYTES + 1)
+        except (EOFError, gzip.BadGzipFile, zlib.error) as error:
+            raise InputError(f"{os.fsdecode(name)}: is packed by gzip, and damaged or cut short: {error}") from None
         if len(content) > MOST_BYTES:
             raise InputError(f"{os.fsdecode(name)}: holds more than {MOST_BYTES} bytes, unpacked")
         core = _core.from_bytes(content, name)
@@ -383,19 +406,20 @@ def scenes() -> Dict[str, str]:
     return _core.scenes()
 
 
-def prepare(points: Source, normals: Any = None, rules: str = "robust", progress: Progress = None,
+def prepare(points: Source, normals: Any = None, rules: Optional[str] = None, progress: Progress = None,
             **options: Any) -> Prepared:
     """Derives what is missing: normals, neighbor lists (12 nearest), and sets unusable points aside (3, 4). normals:
     (n, 3), "derived" or "oriented". Raises ValueError, InputError, Cancelled."""
-    return _prepared_record(_prepare(points, normals, rules, options, progress))
+    return _prepared_record(_prepare(points, normals, rules, options, "robust", progress))
 
 
-def reconstruct(points: Source, normals: Any = None, rules: str = "robust", progress: Progress = None,
+def reconstruct(points: Source, normals: Any = None, rules: Optional[str] = None, progress: Progress = None,
                 **options: Any) -> Mesh:
     """The mesh of a run to its end, with the bytes of `spiraling-edge run` (3 to 7). points: (n, 3), a path, a scene,
     Points or Prepared, of which the rules alone may change; normals: (n, 3), of any length, "derived" or "oriented";
-    None: those of the file, or derived. Raises ValueError, InputError, Cancelled."""
-    return Mesh(_core.reconstruct(_prepare(points, normals, rules, options, progress), progress))
+    None: those of the file, or derived; rules: "paper", "printed", "corrected" or "robust"; None: those of prepared
+    points, else "robust". Raises ValueError, InputError, Cancelled."""
+    return Mesh(_core.reconstruct(_prepare(points, normals, rules, options, "robust", progress), progress))
 
 
 def best(points: Source, normals: Any = None, rules: str = "robust", progress: Progress = None,
@@ -410,15 +434,15 @@ def best(points: Source, normals: Any = None, rules: str = "robust", progress: P
 
 
 def check(vertices: Source, triangles: Any = None, points: Optional[Source] = None, normals: Any = None,
-          rules: str = "robust", **options: Any) -> Verdict:
+          rules: Optional[str] = None, **options: Any) -> Verdict:
     """The verdict on any mesh: a file, or vertices (n, 3) and triangles (t, 3). points, normals and options: those
     that it was made of, by which it is judged; None: by itself alone. Raises ValueError, InputError."""
     mesh = _input(vertices, None, triangles)
-    return _verdict(_core.check(mesh, None if points is None else _prepare(points, normals, rules, options)))
+    return _verdict(_core.check(mesh, None if points is None else _prepare(points, normals, rules, options, "robust")))
 
 
 def why(points: Source, point: Optional[int] = None, edge: Optional[Sequence[int]] = None,
-        triangle: Optional[Sequence[int]] = None, normals: Any = None, rules: str = "paper", more: bool = False,
+        triangle: Optional[Sequence[int]] = None, normals: Any = None, rules: Optional[str] = None, more: bool = False,
         progress: Progress = None, **options: Any) -> Answer:
     """Why a point, an edge or a triangle is in the mesh of a run or not, with the proof (docs/why.md). more: up to 200
     inverted decisions instead of 20. Raises as reconstruct()."""
@@ -426,11 +450,12 @@ def why(points: Source, point: Optional[int] = None, edge: Optional[Sequence[int
 
 
 class Run:
-    """A run of which every decision can be gone to, forward and back. At first it is at its start."""
+    """A run of which every decision can be gone to, forward and back. At first it is at its start. rules: None: those
+    of prepared points, else "paper"."""
 
-    def __init__(self, points: Source, normals: Any = None, rules: str = "paper", progress: Progress = None,
+    def __init__(self, points: Source, normals: Any = None, rules: Optional[str] = None, progress: Progress = None,
                  **options: Any) -> None:
-        self._run = _prepare(points, normals, rules, options, progress)
+        self._run = _prepare(points, normals, rules, options, "paper", progress)
         self._cursor = _core.Cursor(self._run)
         self.prepared = _prepared_record(self._run)
 
@@ -474,7 +499,9 @@ class Run:
         """As se.why(), of this run."""
         given = [(1, None if point is None else [point]), (2, edge), (3, triangle)]
         subject = [each for each in given if each[1] is not None]
-        if len(subject) != 1 or len(subject[0][1]) != subject[0][0] or min(subject[0][1]) < 0:
+        most = np.iinfo(np.uint32).max
+        if len(subject) != 1 or np.size(subject[0][1]) != subject[0][0] or not all(
+                isinstance(p, numbers.Integral) and 0 <= p <= most for p in subject[0][1]):
             raise ValueError("expected one of point=P, edge=(P, Q), triangle=(P, Q, R), numbered from 0")
         parts = _core.why(self._run, list(map(int, subject[0][1])), more, progress)
         return Answer(**{**parts, "lines": _lines(parts["lines"])})
@@ -491,9 +518,9 @@ class Stepper:
     """The algorithm, phase by phase. observer(event): called for each decision after its phase; a true value stops
     the run there, and the next call goes on. Arrays are copies."""
 
-    def __init__(self, points: Source, normals: Any = None, rules: str = "paper",
+    def __init__(self, points: Source, normals: Any = None, rules: Optional[str] = None,
                  observer: Optional[Callable[[Event], Any]] = None, **options: Any) -> None:
-        self._run = _prepare(points, normals, rules, options)
+        self._run = _prepare(points, normals, rules, options, "paper")
         me = weakref.ref(self)  # an observer may refer to its stepper
         self._observer = observer
         self._core = _core.Stepper(self._run, observer and (lambda event: me()._observer(event)))
