@@ -17,7 +17,8 @@ namespace {
 const MeshTree& treeOf(const PointSet& points, RepairState& m) {
     MeshIndex& near = m.near;
     if (near.tree == nullptr || near.points != &points) {
-        near.tree = std::make_shared<MeshTree>(points, m.triangles);
+        const std::vector<Triangle>& triangles = m.triangles;
+        near.tree = std::make_shared<MeshTree>(points, triangles);
         near.points = &points;
         near.changed.clear();
     }

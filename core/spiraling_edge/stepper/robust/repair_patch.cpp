@@ -15,7 +15,7 @@ namespace {
 /// kSmallComponent; else none. Mostly a neighbor has a smaller one.
 std::vector<Index> smallComponentFrom(const RepairState& m, Index t) {
     const auto isLess = [&](HalfEdge other) { return other < 3 * t; };
-    const auto sides = m.twin.begin() + 3 * std::ptrdiff_t{t};
+    const auto sides = m.twin.begin() + 3 * static_cast<std::ptrdiff_t>(t);
     if (std::any_of(sides, sides + 3, isLess)) return {};
     std::vector<Index> found{t};
     for (std::size_t i = 0; i < found.size() && found.size() < kSmallComponent; ++i) {
