@@ -123,12 +123,16 @@ meshio_reads_and_writes_meshes() {
     }
     local kind
     for kind in ply obj off stl; do make "sphere.$kind"; done
+    "$program" run sphere.obj -q --fault-fields -o fields.ply >out 2>&1 || fail "fields: $(cat out)"
     /usr/bin/python3 - >said 2>&1 <<'PYTHON' || fail "meshio: $(tail -3 said)"
 import meshio
 for kind in ("ply", "obj", "off", "stl"):
     mesh = meshio.read(f"sphere.{kind}")
     assert [len(mesh.points), len(mesh.cells_dict["triangle"])] == [600, 1196], (kind, mesh)
     meshio.write(f"back.{kind}", meshio.Mesh(mesh.points, mesh.cells))
+fields = meshio.read("fields.ply").point_data
+assert len(fields["scalar_se_fault"]) == len(fields["scalar_se_distance"]) == 600, fields
+assert max(fields["scalar_se_fault"]) > 0 and max(fields["scalar_se_distance"]) > 0, fields
 meshio.write("text.ply", meshio.Mesh(mesh.points, mesh.cells), binary=False)
 meshio.write("bytes.stl", meshio.Mesh(mesh.points, mesh.cells), binary=True)
 PYTHON
