@@ -15,6 +15,12 @@ OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG
            "-DSPIRALING_EDGE_BUILD_VIEWER=OFF", "-DSPIRALING_EDGE_BUILD_TESTS=OFF",
            f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
 
+try:  # pybind11 of an isolated build is in no place where CMake looks.
+    import pybind11
+    OPTIONS.append(f"-Dpybind11_DIR={pybind11.get_cmake_dir()}")
+except ImportError:  # Debian's pybind11-dev has no module.
+    pass
+
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
