@@ -37,9 +37,11 @@ bool Questions::busy() const {
     return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
 
-void Questions::startProof(std::function<Result<Ledger>(const Progress&)> search) {
+template <typename Search>
+void Questions::startProof(Search search) {
     proof_.cancel();
-    // Without threads the window would wait for the runs.
+    // Without threads the window would wait for the runs. A template, so that proofs are not even
+    // linked there.
     if constexpr (kHasThreads) {
         if (usesThreads()) proof_.start(std::move(search));
     }

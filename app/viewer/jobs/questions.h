@@ -94,7 +94,8 @@ class Questions {
 
     std::shared_ptr<const Model> model_;
     /// Starts the search for a proof, where there are threads.
-    void startProof(std::function<Result<Ledger>(const Progress&)> search);
+    template <typename Search>
+    void startProof(Search search);
 
     Selection subject_;
     std::optional<MeshFailure> failure_;  ///< Of the last query, if it was about one.
