@@ -82,7 +82,7 @@ Answer answerOf(const Ledger& ledger) {
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
     if (ledger.preventedBy != nullptr) {
-        const std::string rule = std::string(ledger.preventedBy->name) + "=on";
+        const std::string rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
         answer.text += (ledger.inverse ? "" : "\n") + fmt::format("Rule:     --rule {}\n", rule);
         answer.json["rule"] = rule;
     }

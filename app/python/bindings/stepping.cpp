@@ -153,7 +153,8 @@ py::dict whyOf(const SharedRun& run, const std::vector<Index>& points, bool more
     std::optional<std::string> inverse;
     if (ledger.inverse) inverse = lineOf(*ledger.inverse);
     std::optional<std::string> rule;
-    if (ledger.preventedBy != nullptr) rule = std::string(ledger.preventedBy->name) + "=on";
+    if (ledger.preventedBy != nullptr)
+        rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
     return py::dict("subject"_a = ledger.name, "present"_a = ledger.present,
                     "sentence"_a = ledger.answer,
                     "cause"_a = toString(ledger.lines[ledger.cause].event.address),

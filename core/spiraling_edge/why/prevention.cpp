@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/remedy.h"
 
 namespace se {
 namespace {
@@ -23,11 +24,9 @@ struct Candidate {
 
 std::vector<Candidate> candidatesOf(const Params& params) {
     std::vector<Candidate> all;
-    const Params robust = *paramsByName("robust");
-    for (const RuleSetting& each : ruleSwitches()) {
-        if (!each.isOn(robust) || each.isOn(params)) continue;
-        all.push_back({&each, params});
-        each.turnOn(all.back().params);
+    for (const RuleSetting* each : rulesToAdd(params)) {
+        all.push_back({each, params});
+        each->turnOn(all.back().params);
     }
     return all;
 }

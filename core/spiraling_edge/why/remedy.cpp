@@ -19,11 +19,9 @@ struct RuleTrial {
 
 std::vector<RuleTrial> trialsFor(const Params& params) {
     std::vector<RuleTrial> trials;
-    const Params robust = *paramsByName("robust");
-    for (const RuleSetting& each : ruleSwitches()) {
-        if (!each.isOn(robust) || each.isOn(params)) continue;
-        trials.push_back({{&each, {}, false, 0, 0}, params});
-        each.turnOn(trials.back().params);
+    for (const RuleSetting* each : rulesToAdd(params)) {
+        trials.push_back({{each, {}, false, 0, 0}, params});
+        each->turnOn(trials.back().params);
     }
     for (const std::string_view set : {"corrected", "robust"}) {
         RuleTrial trial{{nullptr, set, false, 0, 0}, params};
@@ -54,6 +52,15 @@ bool sameProblem(const FailureClass& a, const FailureClass& b) {
 
 std::string_view nameOf(const Remedy& remedy) {
     return remedy.rule != nullptr ? remedy.rule->name : remedy.set;
+}
+
+std::vector<const RuleSetting*> rulesToAdd(const Params& params) {
+    std::vector<const RuleSetting*> rules;
+    const Params robust = *paramsByName("robust");
+    for (const RuleSetting& each : ruleSwitches()) {
+        if (each.isOn(robust) && !each.isOn(params)) rules.push_back(&each);
+    }
+    return rules;
 }
 
 bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures) {

@@ -36,6 +36,9 @@ struct Remedies {
 /// or its only point, counts as the same: a hole that has become smaller is still there.
 bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures);
 
+/// The rules that `robust` has on and `params` has off, in the order of the table.
+std::vector<const RuleSetting*> rulesToAdd(const Params& params);
+
 /// Tries them all, a run and an inspection each. Fails if cancelled. Deterministic. Points that
 /// `robust` would set aside for noise stay: the points are the same in all runs.
 Result<Remedies> findRemedies(const PointSet& points, const Params& params,
