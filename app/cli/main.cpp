@@ -49,7 +49,7 @@ constexpr std::array kVerbs{
 
 constexpr std::string_view kSummary = "Spiraling Edge surface reconstruction.";
 
-/// What follows the list of verbs.
+/// The end of the help, after the list of verbs.
 std::string footerText() {
     return fmt::format(
         "`spiraling-edge VERB --help` lists the options of a verb; with --json, as JSON.\n"

@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStandardInputDevice = "/dev/stdin";
-
 /// An open file; closed by the destructor.
 class OpenFile {
   public:
@@ -56,7 +54,7 @@ Error ByteLimit::exceededBy(const std::string& name) const {
 
 Result<std::string> readBytes(const fs::path& path, const ByteLimit& limit,
                               const Progress& progress) {
-    const std::string name = path == kStandardInputDevice ? "standard input" : path.string();
+    const std::string name = path == os::kStandardInputDevice ? "standard input" : path.string();
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (!fs::exists(status)) return Error{name + ": there is no such file"};

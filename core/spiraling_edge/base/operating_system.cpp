@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStandardInputDevice = "/dev/stdin";
 constexpr unsigned kPermissionBits = 0777;
 
 FileStatus::Kind kindOf(mode_t mode) {

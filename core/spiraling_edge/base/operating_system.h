@@ -16,6 +16,7 @@
 
 namespace se::os {
 
+/// A standard stream of this process for text.
 enum class Stream { Output, Error };
 
 /// True if a standard stream of this process is shown on a terminal.
@@ -37,6 +38,8 @@ void lowerPriority();
 /// of its parts. For programs, once at their start; does nothing with other C libraries.
 void returnFreedMemory();
 
+/// The path that stands for standard input.
+inline constexpr const char* kStandardInputDevice = "/dev/stdin";
 /// Opens a file for reading. Standard input as /dev/stdin is duplicated, not opened: a socket
 /// cannot be opened, and of a file some may have been read.
 int openToRead(const std::filesystem::path& path);
@@ -55,6 +58,7 @@ bool writeAll(int descriptor, std::string_view bytes);
 void writeToStandardError(std::string_view bytes);
 /// Waits until what was written is on the disk. True also where the file system has no such call.
 bool sync(int descriptor);
+/// Closes a descriptor. False if what was written may be lost.
 bool close(int descriptor);
 /// The size of a regular file; 0 for other sources.
 std::uint64_t sizeOf(int descriptor);
