@@ -4,15 +4,7 @@
 set -uo pipefail
 program=$(realpath "$1")
 here=$(cd "$(dirname "$0")" && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAIL: $*"
-    failed=1
-}
+. "$(dirname "$0")/../support/one_case.sh"
 
 # expect CODE ARGUMENTS...: runs the program; its output is in `out` and `err` afterwards.
 expect() {

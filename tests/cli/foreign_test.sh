@@ -4,15 +4,7 @@
 #   foreign_test.sh PROGRAM CASE    runs one case, in an empty folder of its own
 set -uo pipefail
 program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAIL: $*"
-    failed=1
-}
+. "$(dirname "$0")/../support/one_case.sh"
 is() { [ "$1" = "$2" ] || fail "$3: $1, not $2"; }
 needs() {
     command -v "$1" >/dev/null && return
@@ -151,4 +143,4 @@ case $2 in
     meshio_reads_and_writes_meshes) "$2" ;;
     *) fail "no case '$2'" ;;
 esac
-exit $failed
+exit "$failed"

@@ -5,15 +5,7 @@ set -uo pipefail
 program=$(realpath "$1")
 packaging=$(cd "$(dirname "$0")/../../app/packaging" && pwd)
 viewer=$(dirname "$program")/spiraling-edge-viewer
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAIL: $*"
-    failed=1
-}
+. "$(dirname "$0")/../support/one_case.sh"
 needs() { command -v "$1" >/dev/null || { echo "skipped: there is no $1"; exit 77; }; }
 make_pages() {
     needs python3

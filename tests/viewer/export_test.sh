@@ -5,16 +5,8 @@
 set -uo pipefail
 program=$(realpath "$1")
 here=$(cd "$(dirname "$0")" && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
+. "$(dirname "$0")/../support/one_case.sh"
 export XDG_CONFIG_HOME=$folder/config XDG_STATE_HOME=$folder/state
-failed=0
-
-fail() {
-    echo "FAIL: $*"
-    failed=1
-}
 
 # expect CODE ARGUMENTS...: runs `spiraling-edge export`; its output is in `out` and `err` afterwards.
 expect() {
