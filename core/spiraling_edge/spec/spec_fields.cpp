@@ -548,6 +548,15 @@ Result<SpecChange> changeFromWords(std::span<const std::string> words) {
     }
     std::stable_sort(change.begin(), change.end(),
                      [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });
+    for (const FieldValue& each : change) {
+        const auto other = std::find_if(change.begin(), change.end(), [&](const FieldValue& b) {
+            return b.field != each.field && !b.field->excludes.empty() &&
+                   b.field->excludes == each.field->excludes;
+        });
+        if (other != change.end())
+            return Error{std::string(nameOf(*other->field)) + ": not together with " +
+                         std::string(nameOf(*each.field))};
+    }
     RunSpec trial;
     if (const Status valid = applyChange(change, trial); !valid) return valid.error();
     return change;

@@ -107,7 +107,7 @@ std::vector<std::string> optionsOf(const SpecChange& change);
 std::string optionsText(const RunSpec& spec, std::initializer_list<SpecGroup> groups);
 
 /// Reads options from words, {"--rules", "robust", "--symmetric"}. Fails with the word that is not
-/// understood.
+/// understood, or with two that exclude each other.
 Result<SpecChange> changeFromWords(std::span<const std::string> words);
 
 /// A JSON object of all that is set, under the keys: "options" of a session.

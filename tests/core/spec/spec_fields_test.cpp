@@ -151,6 +151,9 @@ TEST_CASE("spec fields: words that are no options are errors that name them") {
     CHECK(fault({"--radius"}) == "--radius: its value is missing");
     CHECK(fault({"--radius", "x"}) == "--radius x: expected a number > 0");
     CHECK(fault({"-k", "9", "--scanner=-1,0,0", "--symmetric"}) == "none");
+    CHECK(fault({"-k", "9", "--radius", "1"}) == "--radius: not together with --neighbors");
+    CHECK(fault({"--derive-normals", "--orient"}) ==
+          "--derive-normals: not together with --orient");
     // In the order of the table, in which they are applied.
     const SpecChange sorted =
         changeFromWords(Options{"--rule", "fill=on", "--rules", "paper"}).value();
