@@ -149,7 +149,8 @@ open_files_by_type() {
     inside "cd /tmp && echo '{}' >a.sesession && echo '# A' >a.lesson.md && echo '{}' >a.setrace &&
         for each in sesession:session lesson.md:lesson setrace:trace; do
             gio info -a standard::content-type a.\${each%:*} | grep -F application/x-spiraling-edge-\${each#*:}; done &&
-        gio mime application/x-spiraling-edge-session | grep -F spiraling-edge-viewer.desktop && rm a.*"
+        for each in session lesson trace; do
+            gio mime application/x-spiraling-edge-\$each | grep -F spiraling-edge-viewer.desktop; done && rm a.*"
 }
 # Each way to link gives the output that docs/library.md prints.
 use_library() {

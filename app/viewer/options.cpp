@@ -423,10 +423,13 @@ Status adoptLesson(Options& o) {
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
     if (isTraceFile(path)) {
-        return Error{path +
-                     ": a trace is compared with its points: spiraling-edge-viewer POINTS "
-                     "--with " +
-                     path};
+        if (o.onPaper())
+            return Error{path +
+                         ": a trace is compared with its points: spiraling-edge-viewer POINTS "
+                         "--with " +
+                         path};
+        o.withText = std::exchange(o.input.source, {});
+        return success();
     }
     if (o.session || !isFilePath(path) || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);

@@ -161,7 +161,13 @@ TEST_CASE("--with has the options of another run, or names a mesh or a trace") {
     CHECK(trace.layout == LayoutPreset::Compare);
     ParsedOptions alone = parse({"mine.setrace"});
     REQUIRE(alone.options.has_value());
-    CHECK_FALSE(adoptSession(*alone.options).ok());
+    CHECK(adoptSession(*alone.options).ok());
+    CHECK(chooseComparison(*alone.options).ok());
+    CHECK(alone.options->input.source.empty());
+    CHECK(alone.options->with->kind == CompareWith::Kind::Trace);
+    ParsedOptions picture = parse({"mine.setrace", "--screenshot", "mine.png"});
+    REQUIRE(picture.options.has_value());
+    CHECK_FALSE(adoptSession(*picture.options).ok());
     CHECK(parse({"scene:torus", "--with", "--rules dragons"}).exitCode == kExitUsage);
     CHECK(parse({"scene:torus", "--with", "--goto 3"}).exitCode == kExitUsage);
 }

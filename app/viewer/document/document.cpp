@@ -61,7 +61,11 @@ void Document::begin(const Options& options) {
     if (options.layout) c_.ui.layoutPreset = *options.layout;
     if (options.lessons) c_.ui.column.choose(Task::Lesson);
     keptLayout_ = c_.ui.layoutPreset;
-    if (options.input.source.empty()) return;
+    if (options.input.source.empty()) {
+        if (options.with && options.with->kind == CompareWith::Kind::Trace)
+            compareWithTrace(options.with->path);
+        return;
+    }
     arrival_.pending = true;
     arrival_.generation = c_.session.generation();
     annotatedSource_ = options.input.source;
@@ -124,14 +128,14 @@ void Document::openInput(RunSpec spec) {
     c_.session.open(std::move(spec));
 }
 
-/// A trace is no input: it is compared with the open run.
+/// A trace is no input: it is compared with the open run, or with that which is opened next.
 void Document::compareWithTrace(const std::string& path) {
-    if (!c_.session.ready()) {
-        return c_.session.messages().say(
-            "A trace is compared with a run of the same points: open these first, then the trace.");
-    }
     actions::enterCompare(c_);
-    c_.compare.begin(CompareWith::otherTrace(path));
+    if (c_.session.ready()) return c_.compare.begin(CompareWith::otherTrace(path));
+    c_.compare.beginWith(CompareWith::otherTrace(path));
+    sayLater(std::filesystem::path(path).filename().string() +
+             " is a trace: open the points that it is of.");
+    actions::openBrowser(c_, BrowserTask::Open);
 }
 
 void Document::openNow(const std::string& path) {

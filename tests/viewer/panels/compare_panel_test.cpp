@@ -170,8 +170,21 @@ TEST_CASE("Compare: a trace opened as a file is beside the run, its sentences le
         CHECK(again["compare_with"] == "trace");
         CHECK(again["compare_done"] == "true");
     }
-    // Without an open run there is nothing to compare it with.
-    DrivenApp none({});
-    openTrace(none);
-    CHECK(none["notice"].find("open these first") != std::string::npos);
+    // Without an open run it asks for its points, and is beside their run once they are there.
+    const auto offersPoints = [](DrivenApp& each) {
+        CHECK(each.session.messages().last() ==
+              "mine.setrace is a trace: open the points that it is of.");
+        each.type("scene:figure-8");
+        each.press("Enter");
+        CHECK(each["layout"] == "compare");
+        CHECK(each["compare_with"] == "trace");
+        CHECK(each["compare_done"] == "true");
+    };
+    {
+        DrivenApp none({});
+        openTrace(none);
+        offersPoints(none);
+    }
+    DrivenApp alone({path});
+    offersPoints(alone);
 }
