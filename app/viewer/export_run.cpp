@@ -379,9 +379,9 @@ Status ExportRun::addShapes(ExportFrame& frame) {
     }
     FrameDial dial;
     if (areas.dial.size.x > 0.0F) {
-        const DecisionState& picture = session().picture();
-        dial = {makeDial(session().shown(), picture, picture.event ? &*picture.event : nullptr),
-                areas.dial, session().names()};
+        const Model& model = session().shown();
+        dial = {makeDial(model.points, model.params, session().picture()), areas.dial,
+                session().names()};
         frame.dial = &dial;
     }
     frame.shapes = views;

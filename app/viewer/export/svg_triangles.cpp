@@ -169,14 +169,7 @@ float shadeOf(const SvgTriangle& t, const ScreenSpace& screen) {
         const glm::vec3 mixed = glm::mix(normal, smooth, share);
         if (glm::length(mixed) > 1e-2F) normal = glm::normalize(mixed);
     }
-    const glm::vec3 key =
-        glm::normalize(0.75F * toEye + 0.75F * screen.up() - 0.65F * screen.right());
-    const float lit = std::max((glm::dot(normal, key) + 0.15F) / 1.15F, 0.0F);
-    const float sky = 0.5F + 0.5F * glm::dot(normal, screen.up());
-    const float gloss =
-        std::pow(std::max(glm::dot(normal, glm::normalize(key + toEye)), 0.0F), 30.0F);
-    const float shade = 0.30F + 0.14F * sky + 0.12F * std::max(glm::dot(normal, toEye), 0.0F) +
-                        0.45F * lit + 0.07F * gloss;
+    const float shade = lightOn(normal, toEye, screen);
     return screenArea(t) > 0.0F ? shade : 0.6F * shade;
 }
 

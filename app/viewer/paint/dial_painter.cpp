@@ -389,6 +389,25 @@ void drawDialDisc(Painter& painter, const DialPicture& picture, const DialCircle
     DialPainter(painter, picture, disc, room).draw(taken);
 }
 
+void drawDialFigure(Painter& painter, const DialPicture& picture, const Rect& area) {
+    // In em: margin, height of the heading, and of the caption.
+    constexpr float kMargin = 0.7F;
+    constexpr float kHeading = 2.4F;
+    constexpr float kCaption = 2.0F;
+    if (picture.dial.empty()) return;
+    const float em = painter.em();
+    Rect room{area.min + glm::vec2(kMargin, kHeading) * em,
+              area.size - glm::vec2(2.0F * kMargin, kHeading + kCaption) * em};
+    room.size.y = std::min(room.size.y, 1.1F * room.size.x);
+    painter.box(area, painter.ink(&Palette::panel));
+    drawDialDisc(painter, picture, discOf(painter, picture, room), room);
+    painter.text(area.min + glm::vec2(kMargin, 0.5F) * em,
+                 "Tangent plane at " + nameOf(picture.dial.pivot, picture.names),
+                 painter.ink(&Palette::textDim), {em});
+    painter.text({area.min.x + 0.5F * area.size.x, room.max().y + 0.6F * em}, picture.dial.caption,
+                 painter.ink(&Palette::text), {em, Typeface::Text, Align::Middle});
+}
+
 glm::vec2 placeOf(const DialTick& tick, const DialCircle& disc) {
     return disc.at(tick.degrees, 0.92F * std::max(0.12F, tick.reach));
 }

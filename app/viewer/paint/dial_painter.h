@@ -72,6 +72,9 @@ DialCircle discOf(const Painter& painter, const DialPicture& picture, const Rect
 /// already.
 void drawDialDisc(Painter& painter, const DialPicture& picture, const DialCircle& disc,
                   const Rect& room, std::span<const Rect> taken = {});
+/// Draws a dial on a panel, with a heading and its caption; nothing if it is empty. A second disc
+/// is left out.
+void drawDialFigure(Painter& painter, const DialPicture& picture, const Rect& area);
 /// The place of a neighbor on the disc.
 glm::vec2 placeOf(const DialTick& tick, const DialCircle& disc);
 /// Draws the second disc (Fig. 6): the pivot as seen from e, with the names of the ends of the

@@ -100,6 +100,15 @@ std::string hexColor(const Color& color) {
     return fmt::format("#{:02x}{:02x}{:02x}", byteOf(color.r), byteOf(color.g), byteOf(color.b));
 }
 
+std::string svgDocument(glm::vec2 size, std::string_view title, std::string_view style,
+                        std::string_view elements) {
+    const std::string name = title.empty() ? "" : "<title>" + escapedXml(title) + "</title>\n";
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" {2}>\n{3}<style>{4}</style>\n{5}</svg>\n",
+        size.x, size.y, kSvgLook, name, style, elements);
+}
+
 std::string SvgClasses::meaningOf(const Color& color) const {
     const Palette& palette = paletteOf(theme_);
     const std::string hex = hexColor(color);
@@ -125,10 +134,10 @@ const std::string& SvgClasses::classOf(const Ink& color, SvgPaint paint) {
     return rules_.back().name;
 }
 
-std::string SvgClasses::sheet(bool other) const {
+std::string SvgClasses::sheet(bool other, std::string_view scope) const {
     std::string text;
     for (const Rule& each : rules_) {
-        text += fmt::format(".{}{{{}:{}}}", each.name,
+        text += fmt::format("{}.{}{{{}:{}}}", scope, each.name,
                             kPaints[static_cast<std::size_t>(each.paint)].property,
                             hexColor(other ? each.color.other : each.color.color));
     }

@@ -23,6 +23,15 @@ std::string nameOfTitle(std::string_view title);
 /// "#56b4e9"
 std::string hexColor(const Color& color);
 
+/// Attributes that all elements of a picture inherit.
+inline constexpr std::string_view kSvgLook =
+    "font-family=\"Inter, 'DejaVu Sans', sans-serif\" stroke-linecap=\"round\" "
+    "stroke-linejoin=\"round\"";
+
+/// A file of SVG. `title`: of the whole picture; empty: none.
+std::string svgDocument(glm::vec2 size, std::string_view title, std::string_view style,
+                        std::string_view elements);
+
 /// What a class of a color sets.
 enum class SvgPaint : std::uint8_t { Fill, Line, Current };
 
@@ -37,8 +46,9 @@ class SvgClasses {
     const std::string& fill(const Ink& color) { return classOf(color, SvgPaint::Fill); }
     const std::string& line(const Ink& color) { return classOf(color, SvgPaint::Line); }
     const std::string& current(const Ink& color) { return classOf(color, SvgPaint::Current); }
-    /// The rules of all classes: of the theme, or of the other.
-    std::string sheet(bool other = false) const;
+    /// The rules of all classes: of the theme, or of the other. `scope` begins each, such as
+    /// "#a " for elements within that of the id a.
+    std::string sheet(bool other = false, std::string_view scope = {}) const;
 
   private:
     struct Rule {

@@ -85,7 +85,7 @@ class SectionMaker {
     }
 
     NormalSection make(std::span<const Triangle> finished) {
-        const Dial dial = makeDial(model_, picture_, picture_.event ? &*picture_.event : nullptr);
+        const Dial dial = makeDial(model_.points, model_.params, picture_);
         setReach(dial);
         for (const Triangle& t : finished) addCut(t, false);
         for (const Triangle& t : picture_.newTriangles) addCut(t, true);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pivot_dial.h"
+#include "run/model.h"
 
 namespace se::view {
 

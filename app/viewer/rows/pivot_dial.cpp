@@ -5,6 +5,7 @@
 
 #include "run/strings.h"
 #include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
@@ -14,23 +15,23 @@ namespace {
 /// Fills a Dial step by step.
 class Maker {
   public:
-    Maker(const Model& model, const DecisionState& picture)
-        : points_(model.points),
+    Maker(const PointSet& points, const Params& params, const DecisionState& picture)
+        : points_(points),
           picture_(picture),
-          gapLimit_(gapLimitDegrees(model.params)),
+          gapLimit_(gapLimitDegrees(params)),
           frame_(makeFrame(points_.position[picture.pivot], points_.normal[picture.pivot],
-                           points_.position[picture.first], model.params.robust.tangent)) {}
+                           points_.position[picture.first], params.robust.tangent)) {}
 
-    Dial make(const Event* event) {
+    Dial make() {
         dial_.pivot = picture_.pivot;
         addTicks();
         addRange();
         addRanks();
         for (const Triangle& t : picture_.newTriangles) addTriangle(t);
-        if (event != nullptr) {
-            stage_ = event->address.stage;
-            std::visit([this](const auto& e) { show(e); }, event->evidence);
-            addReason(*event);
+        if (picture_.event) {
+            stage_ = picture_.event->address.stage;
+            std::visit([this](const auto& e) { show(e); }, picture_.event->evidence);
+            addReason(*picture_.event);
         }
         return std::move(dial_);
     }
@@ -271,9 +272,9 @@ class Maker {
 
 }  // namespace
 
-Dial makeDial(const Model& model, const DecisionState& picture, const Event* event) {
+Dial makeDial(const PointSet& points, const Params& params, const DecisionState& picture) {
     if (picture.pivot == kNone || picture.first == kNone) return {};
-    return Maker(model, picture).make(event);
+    return Maker(points, params, picture).make();
 }
 
 }  // namespace se::view

@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "run/model.h"
-#include "scene/draw_list.h"
 #include "scene/palette.h"
 #include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se::view {
 
@@ -108,8 +107,8 @@ struct Dial {
     bool empty() const { return pivot == kNone; }
 };
 
-/// The disc at the event `event` of the picture (null: none). Empty without a pivot.
-Dial makeDial(const Model& model, const DecisionState& picture, const Event* event);
+/// The disc at the event of the picture, if it has one. Empty without a pivot.
+Dial makeDial(const PointSet& points, const Params& params, const DecisionState& picture);
 
 // Looks of the neighbors of a pivot, on the dial and in the section.
 

@@ -19,23 +19,6 @@
 
 namespace se::view {
 
-/// Shapes of points. The same numbers are in shaders/point.frag.
-enum class Shape : std::uint8_t {
-    Hidden = 0,
-    Dot = 1,
-    Disc = 2,
-    Circle = 3,  ///< Open.
-    Square = 4,
-    OpenSquare = 5,
-    Diamond = 6,
-    OpenDiamond = 7,
-    RingedDisc = 8,
-    Forward = 9,  ///< Triangle pointing right.
-    Back = 10,    ///< Triangle pointing left.
-    Cross = 11,
-    Plus = 12,
-};
-
 struct PointStyle {
     Color color;
     float size = 0.5F;

@@ -1,5 +1,5 @@
 /// One color per meaning, for the dark and the light theme. State is never shown by color alone:
-/// shapes (draw_list.h) and letters show it as well.
+/// shapes and letters show it as well.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +40,23 @@ inline constexpr float kHoverShare = 0.08F;
 enum class Theme : std::uint8_t { Dark, Light };
 std::optional<Theme> themeFromName(std::string_view name);
 std::string_view themeName(Theme theme);
+
+/// Shapes of points. The same numbers are in shaders/point.frag.
+enum class Shape : std::uint8_t {
+    Hidden = 0,
+    Dot = 1,
+    Disc = 2,
+    Circle = 3,  ///< Open.
+    Square = 4,
+    OpenSquare = 5,
+    Diamond = 6,
+    OpenDiamond = 7,
+    RingedDisc = 8,
+    Forward = 9,  ///< Triangle pointing right.
+    Back = 10,    ///< Triangle pointing left.
+    Cross = 11,
+    Plus = 12,
+};
 
 struct Palette {
     // Meanings in the view.

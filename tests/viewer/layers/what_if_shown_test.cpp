@@ -151,7 +151,8 @@ TEST_CASE("With a what-if everything shows the verdict that was taken") {
             const auto rows = inspected(open.session, *event);
             CHECK(has(valueOf(rows, "decided by"), "what-if"));
             CHECK_FALSE(has(valueOf(rows, "so"), kept ? "dropped" : "filled"));
-            const Dial dial = makeDial(open.session.shown(), open.session.picture(), &*event);
+            const Dial dial = makeDial(open.session.shown().points, open.session.shown().params,
+                                       open.session.picture());
             CHECK(has(dial.caption, words));
             if (dial.reciprocal) CHECK(dial.reciprocal->kept == kept);
             const ReadingContext context{open.session.model().points, open.session.model().params,

@@ -38,7 +38,7 @@ void forEachDial(const char* scene, Look&& look) {
             const DecisionState picture = PivotReplay(record).after(i);
             const Event& event = record->events[i];
             CAPTURE(toString(event.address));
-            look(picture, event, makeDial(*model.value(), picture, &event));
+            look(picture, event, makeDial(model.value()->points, model.value()->params, picture));
         }
     }
 }

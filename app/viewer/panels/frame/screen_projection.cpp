@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "document/ui_state.h"
-#include "paint/shapes.h"
+#include "paint/labels.h"
 #include "panels/widgets/screen_painter.h"
 #include "run/model.h"
 #include "scene/camera.h"

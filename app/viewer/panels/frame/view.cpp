@@ -18,7 +18,7 @@
 #include "input/view_drag.h"
 #include "layers/layer.h"
 #include "lesson/lesson_walk.h"
-#include "paint/shapes.h"
+#include "paint/labels.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/view_tools.h"

@@ -86,7 +86,7 @@ ImVec2 roomOf(const PanelContext& context) {
 void drawDial(const PanelContext& context) {
     Session& session = context.session();
     const DecisionState& state = session.picture();
-    const Dial dial = makeDial(session.shown(), state, state.event ? &*state.event : nullptr);
+    const Dial dial = makeDial(session.shown().points, session.shown().params, state);
     if (dial.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");

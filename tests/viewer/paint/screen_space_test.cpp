@@ -1,4 +1,4 @@
-#include "export/svg_frame.h"
+#include "paint/screen_space.h"
 
 #include <doctest/doctest.h>
 
