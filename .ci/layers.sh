@@ -75,8 +75,10 @@ no "$(include "$window|viewer|cli/|glm/gtc|stb|CLI/|fmt/|spiraling_edge/sampling
 no "$(include 'toml|cmark')" "only teach/ may use toml++ and cmark" "${cli[@]}" ${viewer[@]+"${viewer[@]}"}
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
-# python -> core
-no "$(include "$window|$programs|viewer|cli/|teach/|options/|spiraling_edge/sampling/")" "the Python package must not know" "${python[@]}"
+# python -> core, sampling's gzip.h, and the painter's figures; these are built without the rest of the viewer
+no "$(include "$window|$programs|viewer|cli/|teach/|options/|spiraling_edge/sampling/[^g]|paint/[^f]")" "the Python package must not know" "${python[@]}"
+mapfile -t painter < <(printf 'app/viewer/%s\n' $(sed -n '/add_library(spiraling_edge_paint/,/)/s/^ *\(.*\.cpp\)$/\1/p' app/viewer/CMakeLists.txt))
+no "$(include 'teach/|spiraling_edge/sampling/|run/model')" "the painter must not know" "${painter[@]}" "${painter[@]/%.cpp/.h}"
 no "$(include 'pybind11/')" "only app/python may use pybind11" "${core[@]}" "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"}
 # viewer
 no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"

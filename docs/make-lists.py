@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the parts of the pages here that the programs themselves print: the options in
-command-line.md and the keys in viewer.md, between lines `<!-- begin NAME -->` and `<!-- end NAME -->`.
+"""Writes the parts of the pages here that the programs themselves print, the options in command-line.md and the keys
+in viewer.md, and those that stand in the sources, the evidence in python.md: between lines `<!-- begin NAME -->` and
+`<!-- end NAME -->`.
 
   docs/make-lists.py [--check] [PROGRAM]
 
@@ -169,6 +170,41 @@ def keys(viewer):
     return ["```text"] + page + ["```"]
 
 
+def snake(name):
+    return re.sub(r"(?<=[a-z])([A-Z])", r"_\1", name).lower()
+
+
+def in_python(comment):
+    """A comment of event.h without the names that only C++ has."""
+    comment = re.sub(r":? (?:\(|see |in the order of )(?:Readings|RobustRules|PaperRules)::\w+[^).]*\)?", "", comment.replace("kNone", "None"))
+    comment = re.sub(r"\b(?:\w+::)?([A-Z][a-z]+[A-Z][a-z]+)\b", lambda name: snake(name[1]).replace("_", " "), comment)
+    return comment.strip().rstrip(".,")
+
+
+def evidence():
+    """A row for each struct of evidence in event.h: its members with their comments."""
+    text = (HERE / "../core/spiraling_edge/stepper/event.h").read_text()
+    rows = []
+    for about, name, body in re.findall(r"((?:^///[^\n]*\n)*)^struct (\w+)Evidence \{\n(.*?)^\};", text, re.M | re.S):
+        members, above = [], []
+        for line in map(str.strip, body.split("\n")):
+            member = re.match(r"[\w:]+ ([\w ,=.]+);(?: +///< (.*))?$", line)
+            if line.startswith("///<"):
+                members[-1][1] += " " + line[4:].strip()
+            elif line.startswith("///"):
+                above.append(line[3:].strip())
+            elif member:
+                keys = [snake(each.split("=")[0].strip()) for each in member[1].split(",")]
+                members.append([", ".join(f"`{key}`" for key in keys), " ".join(above) or member[2] or ""])
+                above = []
+            else:
+                above = []
+        parts = [in_python(" ".join(line[3:].strip() for line in about.splitlines()))]
+        parts += [f"{keys}: {in_python(comment)}" for keys, comment in members if comment and keys != "`verdict`"]
+        rows.append([snake(name).replace("_", " "), ", ".join(keys for keys, _ in members), "; ".join(filter(None, parts))])
+    return ["| decision | keys | meaning |", "|---|---|---|"] + ["| " + " | ".join(row) + " |" for row in rows]
+
+
 def update(page, name, lines, check):
     """Puts `lines` between the marks, or says what differs. True if nothing does."""
     path = HERE / page
@@ -194,6 +230,7 @@ def main():
     program = pathlib.Path(arguments[0] if arguments else HERE / "../build/bin/spiraling-edge").resolve()
     viewer = program.parent / "spiraling-edge-viewer"
     same = update("command-line.md", "options", command_line(program), check)
+    same &= update("python.md", "evidence", evidence(), check)
     if viewer.exists():
         same &= update("command-line.md", "options of view", view(program, viewer), check)
         same &= update("viewer.md", "actions", keys(viewer), check)

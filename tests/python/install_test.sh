@@ -13,8 +13,7 @@ cd "$folder"
 line() { grep -F "$1" "$page"; }
 bash -ec "$(line 'PYTHONPATH=build/python ')"
 bash -ec "$(line 'cmake --install build --component python')" >/dev/null
-installed=$(dirname "$(dirname "$(find root -name 'pictures.py')")")
-test -f "$installed/spiraling_edge/py.typed"
+installed=$(dirname "$(dirname "$(find root -name 'py.typed')")")
 [ "$(find root -name '*.a' -o -name 'spiraling-edge*')" = "" ] || { echo "FAIL: more than the package is installed"; exit 1; }
 PYTHONPATH=$folder/$installed python3 -c "import spiraling_edge as se; assert 'root' in se.__file__; print(len(se.scenes()))"
 ! readelf -d "$installed"/spiraling_edge/_core*.so | grep -E 'RPATH|RUNPATH'

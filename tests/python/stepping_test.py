@@ -3,6 +3,9 @@ import _thread
 import functools
 import gc
 import os
+import pathlib
+import pickle
+import re
 import signal
 import stat
 import threading
@@ -33,7 +36,11 @@ def test_evidence_has_a_name_for_each_number():
     for scene in se.scenes():
         for rules in ("paper", "robust"):
             se.Stepper(f"scene:{scene}", rules=rules, observer=keep).run_until()
-    assert len(kinds) > 25 and all(names and "" not in names for _, names in kinds)
+    page = (pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md").read_text()
+    rows = re.findall(r"^\| [a-z ]+ \| (`.*?`) \|", page.partition("<!-- begin evidence -->")[2], re.M)
+    documented = {tuple(re.findall(r"\w+", row)) for row in rows}
+    assert len(documented) > 25 and {names for _, names in kinds} <= documented
+    assert len(kinds) > 25
     sphere = next(event for (stage, _), event in kinds.items() if stage == "sphere")
     numbers = sphere.evidence
     assert sphere.section == "6.3" and sphere.taken == (sphere.verdict != "removed")
@@ -170,13 +177,34 @@ def test_found_decisions_and_reasons_are_those_of_the_command_line(answer):
 @pytest.mark.parametrize("scene", ["torus", "stranded-point", "figure-8", "figure-13"])
 def test_every_place_is_drawn(scene):
     run = se.Run(f"scene:{scene}")
-    run._repr_svg_()
+    assert ">The start of the run<" in run._repr_svg_()
     for _ in range(300):
         state = run.forward()
         if state is None:
             break
         xml.etree.ElementTree.fromstring(state.svg())
-    assert state is None or f">p = {run.at('9.sort').pivot}<" in run.state.svg()
+        assert f">{state.address}" in state.svg()
+        assert (f">Tangent plane at {state.pivot}<" in state.svg()) == (state.pivot is not None)
+
+
+def test_a_drawing_has_a_style_of_its_own():
+    run = se.Run("scene:torus")
+    one, other = run.at("9.sort").svg(), run.at("9.emit").svg()
+    for drawing in (one, other):
+        name = re.search(r'<g id="([\w-]+)"', drawing)[1]
+        assert all(rule.startswith(f"#{name} .") for rule in re.search("<style>(.*)</style>", drawing)[1].split("}")[:-1])
+    assert re.search('id="[^"]*"', one)[0] != re.search('id="[^"]*"', other)[0] and one == run.at("9.sort").svg()
+
+
+def test_a_state_comes_back_from_a_pickle():
+    run = se.Run("scene:torus", neighbors=10)
+    for state in (run.state, run.at("137.sphere.1")):
+        again = pickle.loads(pickle.dumps(state))
+        assert again.address == state.address and again.svg() == state.svg()
+        assert np.array_equal(again.status, state.status)
+    answer = run.why(point=5)
+    again = pickle.loads(pickle.dumps(answer))
+    assert again.sentence == answer.sentence and str(again.lines) == str(answer.lines)
 
 
 def test_the_viewer_gets_the_place(tmp_path):

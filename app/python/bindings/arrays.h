@@ -6,7 +6,9 @@
 
 #include <cstring>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,35 +18,24 @@ namespace se::python {
 
 namespace py = pybind11;
 
-/// The scalar of an element and the number of its columns; 0: the array has one dimension.
+/// The numbers that an element is made of.
 template <typename Element>
-struct Columns {
-    using Scalar = Element;
-    static constexpr py::ssize_t kCount = 0;
-};
-template <>
-struct Columns<Vec3> {
-    using Scalar = double;
-    static constexpr py::ssize_t kCount = 3;
-};
-template <>
-struct Columns<Triangle> {
-    using Scalar = Index;
-    static constexpr py::ssize_t kCount = 3;
-};
-static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(Index));
+using ScalarOf =
+    std::conditional_t<std::is_same_v<Element, Vec3>, double,
+                       std::conditional_t<std::is_same_v<Element, Triangle>, Index, Element>>;
 
-/// A read-only array over the memory of a list, which `owner` keeps alive. Nothing is copied.
+/// A read-only array over the memory of a list, which `owner` keeps alive: rows of the numbers of
+/// each element, or of one dimension where it is a number itself. Nothing is copied.
 template <typename Element>
 py::array viewOf(const std::vector<Element>& list, const std::shared_ptr<const void>& owner) {
-    using Scalar = typename Columns<Element>::Scalar;
+    constexpr py::ssize_t kColumns = sizeof(Element) / sizeof(ScalarOf<Element>);
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(list.size())};
-    if constexpr (Columns<Element>::kCount > 0) shape.push_back(Columns<Element>::kCount);
+    if (kColumns > 1) shape.push_back(kColumns);
     const py::capsule base(new std::shared_ptr<const void>(owner), [](void* held) {
         delete static_cast<std::shared_ptr<const void>*>(held);
     });
     const void* const memory = list.data();
-    py::array array(py::dtype::of<Scalar>(), std::move(shape), memory, base);
+    py::array array(py::dtype::of<ScalarOf<Element>>(), std::move(shape), memory, base);
     array.attr("setflags")(py::arg("write") = false);
     return array;
 }
@@ -58,8 +49,7 @@ py::array arrayOf(std::vector<Element> list) {
 
 /// An argument of rows of three numbers, or of single ones; converted where it is another array.
 template <typename Element>
-using ArrayOf =
-    py::array_t<typename Columns<Element>::Scalar, py::array::c_style | py::array::forcecast>;
+using ArrayOf = py::array_t<ScalarOf<Element>, py::array::c_style | py::array::forcecast>;
 
 /// The elements of an array. Requires one of that shape.
 template <typename Element>
@@ -72,6 +62,19 @@ std::vector<Element> listOf(const ArrayOf<Element>& array) {
 
 /// A point, or None for kNone.
 inline py::object indexOrNone(Index p) { return p == kNone ? py::none() : py::object(py::int_(p)); }
-inline py::str textOf(std::string_view text) { return {text.data(), text.size()}; }
+/// A text, of which bytes that are not UTF-8 are written as "\xff".
+inline py::str textOf(std::string_view text) {
+    PyObject* const decoded = PyUnicode_DecodeUTF8(
+        text.data(), static_cast<py::ssize_t>(text.size()), "backslashreplace");
+    if (decoded == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(decoded);
+}
+/// The bytes of a path: text, bytes or an object with __fspath__. Throws ValueError if it has a
+/// NUL, TypeError if it is none of these.
+inline std::string pathOf(const py::object& path) {
+    PyObject* bytes = nullptr;
+    if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) throw py::error_already_set();
+    return py::reinterpret_steal<py::bytes>(bytes);
+}
 
 }  // namespace se::python

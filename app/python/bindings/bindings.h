@@ -16,21 +16,28 @@
 
 namespace se::python {
 
+/// A record of the package: the class of that name in __init__.py, made of its fields.
+template <typename... Fields>
+pybind11::object record(const char* name, Fields&&... fields) {
+    const auto package = pybind11::module_::import("spiraling_edge");
+    return package.attr(name)(std::forward<Fields>(fields)...);
+}
+
 /// Points as they were read or given, and their source: a path, scene:ID, or empty.
 struct Input {
     std::shared_ptr<const PointFile> file;
     std::string source;
 };
 
-/// Keys of the table of fields (spec_fields.h) and texts, in any order.
-using Options = std::vector<std::pair<std::string, std::string>>;
+/// Options of the command line as its words, "--neighbors=16" and "--symmetric".
+using Words = std::vector<std::string>;
 
-/// `spec` with options. Throws std::invalid_argument with the sentence of the first that is wrong.
-RunSpec withOptions(RunSpec spec, const Options& options);
+/// Throws std::invalid_argument with the sentence of the first word that is wrong.
+SpecChange changeFrom(const Words& words);
+/// The run of a source by options. Throws as changeFrom().
+RunSpec specFrom(const Words& words, const std::string& source);
 /// The params of a spec. Throws std::invalid_argument.
 Params paramsFrom(const RunSpec& spec);
-/// The piece of the input that a spec names. Throws std::invalid_argument if that is empty.
-Input pieceFrom(const Input& input, const RunSpec& spec);
 
 /// Points that are ready for a run, and how they were made so.
 struct PreparedRun {
@@ -39,9 +46,12 @@ struct PreparedRun {
     PrepareReport report;
     RunSpec spec;
     RunSpec named;  ///< Of the user, by which meshes are judged; `spec` may be better (best()).
+    std::vector<Index> leaveOut;  ///< Points that were set aside to make the mesh better.
 };
 using SharedRun = std::shared_ptr<PreparedRun>;
 
+/// The piece of the input that a spec names. Throws std::invalid_argument if that is empty.
+Input pieceFrom(const Input& input, const RunSpec& spec);
 /// Prepares the points of a piece by a spec, those at `leaveOut` set aside. Throws InputError,
 /// Cancelled, and std::invalid_argument where possibleParams() does.
 SharedRun prepareRun(const Input& piece, const RunSpec& spec, const std::vector<Index>& leaveOut,
@@ -50,16 +60,25 @@ SharedRun prepareRun(const Input& piece, const RunSpec& spec, const std::vector<
 /// a what-if has no effect.
 Params possibleParams(const PreparedRun& run);
 
-/// Quantity, unit, value, threshold and margin of a decision; empty if it compared nothing.
-pybind11::dict readingDict(const std::optional<Reading>& reading);
-/// The counts of a run by name.
-pybind11::dict countersDict(const Counters& counters);
+/// The record Event of a decision.
+pybind11::object eventRecord(const Event& event);
+/// The record Reading of a decision; None if it compared nothing.
+pybind11::object readingOrNone(const std::optional<Reading>& reading);
+/// The record Prepared of prepared points.
+pybind11::object preparedRecord(const SharedRun& run);
 
-/// Adds Event.
-void bindEvents(pybind11::module_& module);
-/// Adds Input, PreparedRun and MadeMesh, and the functions over them.
+/// Adds Input and PreparedRun, and the functions over them.
 void bindMeshes(pybind11::module_& module);
 /// Adds Cursor and Stepper, and why().
 void bindStepping(pybind11::module_& module);
+
+/// What is pickled of points.
+pybind11::tuple pickled(const Input& input);
+/// What is pickled of prepared points: these as they were taken, and the options.
+pybind11::tuple pickled(const PreparedRun& run);
+/// The points of a pickle.
+Input inputFrom(const pybind11::tuple& pickle);
+/// The prepared points of a pickle, prepared again. Throws as prepareRun().
+SharedRun runFrom(const pybind11::tuple& pickle);
 
 }  // namespace se::python

@@ -46,27 +46,19 @@ inline void waitWherePythonEnds() {
 }
 
 /// The lock of the interpreter, taken for code of Python.
-class Locked {
-  private:
+struct Locked {
     struct Wait {
         Wait() { waitWherePythonEnds(); }
-    } wait_;
-    py::gil_scoped_acquire lock_;
+    } wait;
+    py::gil_scoped_acquire lock;
 };
 
 /// Work without the lock of the interpreter, which is taken again after it.
-class Unlocked {
-  public:
-    Unlocked() { free_.emplace(); }
-    Unlocked(const Unlocked&) = delete;
-    Unlocked& operator=(const Unlocked&) = delete;
-    ~Unlocked() {
-        waitWherePythonEnds();
-        free_.reset();
-    }
-
-  private:
-    std::optional<py::gil_scoped_release> free_;
+struct Unlocked {
+    py::gil_scoped_release free;
+    struct Wait {
+        ~Wait() { waitWherePythonEnds(); }
+    } wait;
 };
 
 /// A call that runs code of Python on its way: the first exception, also of Ctrl+C, ends it.

@@ -114,44 +114,21 @@ py::dict evidenceOf(const Event& event) {
     return fields;
 }
 
-py::object takenOf(const Event& event) {
-    const Outcome outcome = outcomeOf(event);
-    return outcome == Outcome::None ? py::none() : valueOf(outcome == Outcome::Taken);
-}
-
 }  // namespace
 
-py::dict readingDict(const std::optional<Reading>& reading) {
-    using namespace py::literals;
-    if (!reading) return {};
-    return py::dict("quantity"_a = textOf(reading->quantity), "unit"_a = textOf(reading->unit),
-                    "value"_a = reading->value, "threshold"_a = reading->threshold,
-                    "margin"_a = reading->margin);
+py::object readingOrNone(const std::optional<Reading>& reading) {
+    if (!reading) return py::none();
+    return record("Reading", textOf(reading->quantity), textOf(reading->unit), reading->value,
+                  reading->threshold, reading->margin);
 }
 
-void bindEvents(py::module_& module) {
-    const auto row = [](const Event& e) -> const StageRow& { return rowOf(e.address.stage); };
-    const char* const help =
-        "One decision of a run: its address \"pivot.stage.n\" with the section of the paper "
-        "(empty\n"
-        "beyond it), one sentence, the verdict of a test in words, whether the tested point was\n"
-        "taken (None: no test), the point. evidence: the members of its kind in\n"
-        "core/spiraling_edge/stepper/event.h, in snake case; lengths in the unit of the points,\n"
-        "angles in degrees.";
-    py::class_<Event>(module, "Event", help)
-        .def_property_readonly("address", [](const Event& e) { return toString(e.address); })
-        .def_property_readonly("pivot", [](const Event& e) { return e.address.pivot; })
-        .def_property_readonly("stage", [=](const Event& e) { return textOf(row(e).name); })
-        .def_property_readonly("n", [](const Event& e) { return e.address.n; })
-        .def_property_readonly("section", [=](const Event& e) { return textOf(row(e).section); })
-        .def_property_readonly("sentence", [](const Event& e) { return describe(e); })
-        .def_property_readonly("verdict", [](const Event& e) { return textOf(endingText(e)); })
-        .def_property_readonly("taken", takenOf)
-        .def_property_readonly("point", [](const Event& e) { return indexOrNone(subjectOf(e)); })
-        .def_property_readonly("evidence", evidenceOf)
-        .def("__repr__", [](const Event& e) {
-            return "<Event " + toString(e.address) + ": " + describe(e) + ">";
-        });
+py::object eventRecord(const Event& event) {
+    const StageRow& row = rowOf(event.address.stage);
+    const Outcome outcome = outcomeOf(event);
+    return record("Event", toString(event.address), event.address.pivot, textOf(row.name),
+                  event.address.n, textOf(row.section), describe(event), textOf(endingText(event)),
+                  outcome == Outcome::None ? py::none() : valueOf(outcome == Outcome::Taken),
+                  indexOrNone(subjectOf(event)), evidenceOf(event));
 }
 
 }  // namespace se::python

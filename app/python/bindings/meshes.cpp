@@ -1,18 +1,21 @@
-// Points, their preparation, meshes and verdicts. Each class has one function that gives its parts
-// as a dict, of which the package makes records.
+// Points, their preparation, meshes and verdicts.
 #include <pybind11/stl.h>
 
+#include <array>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "arrays.h"
 #include "bindings.h"
 #include "calls.h"
+#include "paint/figures.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/reconstruct.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/session_text.h"
 #include "spiraling_edge/why/inspected_run.h"
@@ -23,111 +26,104 @@ namespace {
 
 using namespace py::literals;
 using Triangles = std::vector<Triangle>;
-
-/// A mesh that a run has made.
-struct MadeMesh {
-    SharedRun run;
-    std::shared_ptr<const Triangles> triangles;
-    Counters counters;
-    bool stopped = false;  ///< AlertKind::TriangleCap.
-};
+using TriangleArray = ArrayOf<Triangle>;
 
 Input share(PointFile file, const std::string& source) {
     return {std::make_shared<const PointFile>(std::move(file)), source};
 }
 
-/// Points of arrays, and the triangles of a mesh; `single`, `singleNormals`: they were floats.
-Input fromArrays(const ArrayOf<Vec3>& position, bool single, const ArrayOf<Vec3>& normals,
-                 bool singleNormals, const ArrayOf<Triangle>& triangles) {
-    PointFile file;
-    file.position = listOf<Vec3>(position);
-    file.normal = listOf<Vec3>(normals);
-    file.faces = listOf<Triangle>(triangles);
-    file.positionType = single ? ScalarType::Float : ScalarType::Double;
-    file.normalType = singleNormals ? ScalarType::Float : ScalarType::Double;
-    return share(std::move(file), "");
+/// Rows of three numbers of any type, and how they are written.
+std::vector<Vec3> rowsOf(const py::array& rows, ScalarType& type) {
+    const bool single = rows.dtype().kind() == 'f' && rows.itemsize() <= 4;
+    type = single ? ScalarType::Float : ScalarType::Double;
+    return listOf<Vec3>(rows);
 }
 
-Result<PointFile> readSource(const std::string& source) {
-    if (!isScene(source)) return readPoints(std::filesystem::path(source));
-    const Scene* scene = findScene(std::string_view(source).substr(kScenePrefix.size()));
-    if (scene != nullptr) return scene->build();
-    return Error{source + ": no such scene; se.scenes() lists the scenes"};
+/// Points of arrays, and the triangles of a mesh.
+Input fromArrays(const py::array& position, const py::array& normals,
+                 const TriangleArray& triangles) {
+    PointFile file;
+    file.position = rowsOf(position, file.positionType);
+    file.normal = rowsOf(normals, file.normalType);
+    file.faces = listOf<Triangle>(triangles);
+    return share(std::move(file), "");
 }
 
 py::tuple listsOf(const NeighborLists& lists, const std::shared_ptr<const void>& owner) {
     return py::make_tuple(viewOf(lists.offset, owner), viewOf(lists.ids, owner));
 }
 
-py::dict partsOf(const Input& input) {
+/// The record Points.
+py::object pointsRecord(const Input& input) {
     const PointFile& file = *input.file;
     py::dict attributes;
     for (const Attribute& each : file.attributes)
         attributes[textOf(each.name)] = viewOf(each.values, input.file);
-    return py::dict("position"_a = viewOf(file.position, input.file),
-                    "normals"_a = viewOf(file.normal, input.file),
-                    "types"_a = viewOf(file.type, input.file),
-                    "triangles"_a = viewOf(file.faces, input.file),
-                    "neighbors"_a = listsOf(file.neighbors, input.file),
-                    "attributes"_a = attributes, "notes"_a = py::tuple(py::cast(file.notes)));
+    py::list notes;
+    for (const std::string& each : file.notes) notes.append(textOf(each));
+    return record("Points", viewOf(file.position, input.file), viewOf(file.normal, input.file),
+                  viewOf(file.type, input.file), listsOf(file.neighbors, input.file),
+                  viewOf(file.faces, input.file), attributes, py::tuple(notes), input);
 }
 
-py::dict partsOf(const PreparedRun& run) {
-    const PrepareReport& report = run.report;
-    py::dict counts(
-        "set_aside"_a = report.countAside(), "normals_derived"_a = report.derived.normals,
-        "normals_turned"_a = report.derived.turnedNormals,
-        "unknown_sides"_a = report.derived.unknownSides, "rim_points"_a = report.derived.rimPoints,
-        "lists_computed"_a = report.neighborsComputed, "noise"_a = report.noise);
-    for (const AsideWords& each : asideReasons())
-        counts[textOf(each.name)] = report.count(each.reason);
-    const PointSet& points = *run.points;
-    return py::dict("position"_a = viewOf(points.position, run.points),
-                    "normals"_a = viewOf(points.normal, run.points),
-                    "types"_a = viewOf(points.type, run.points),
-                    "neighbors"_a = listsOf(points.neighbors, run.points), "report"_a = counts,
-                    "options"_a = wordsOf(valuesOf(run.spec)));
+py::object readSource(const py::object& path, std::uint64_t mostBytes) {
+    const std::string source = pathOf(path);
+    const ByteLimit limit{mostBytes, "most_bytes=N raises this limit"};
+    const auto work = [&](const Progress&) -> Result<PointFile> {
+        if (!isScene(source)) return readPoints(std::filesystem::path(source), limit, unpackGzip);
+        const Scene* scene = findScene(std::string_view(source).substr(kScenePrefix.size()));
+        if (scene != nullptr) return scene->build();
+        return Error{source + ": no such scene; se.scenes() lists the scenes"};
+    };
+    return pointsRecord(share(require<InputError>(longCall(py::none(), work)), source));
 }
 
-/// The points of a run as they are written beside a mesh.
-PointFile writtenPoints(const PreparedRun& run) {
-    PointFile file = *run.file;
-    storeDerived(*run.points, run.report, file);
-    return file;
+/// The triangles of a mesh. Throws if they are not between the points.
+Triangles trianglesOn(const PreparedRun& run, const TriangleArray& mesh) {
+    Triangles triangles = listOf<Triangle>(mesh);
+    if (!cornersBelow(triangles, run.points->size()))
+        throw std::invalid_argument("triangles: a corner is no point of the mesh");
+    return triangles;
 }
 
-void writeMade(const MadeMesh& mesh, const std::string& path, bool usedPoints, bool normals) {
+void writeMade(const PreparedRun& run, const TriangleArray& mesh, const py::object& target,
+               bool usedPoints, bool normals, bool force) {
+    const std::string path = pathOf(target);
+    std::error_code missing;
+    if (!force && std::filesystem::equivalent(path, run.spec.source, missing))
+        throw std::invalid_argument(path +
+                                    ": the points are from this file; force=True replaces it");
     if (meshFormatOf(path) == nullptr)
         throw std::invalid_argument(path + ": only " +
                                     listText(meshFormats(), &MeshFormat::extension, "and") +
                                     " can be written");
+    const Triangles triangles = trianglesOn(run, mesh);
     const Status written = longCall(py::none(), [&](const Progress&) {
-        PointFile file = writtenPoints(*mesh.run);
-        if (!usedPoints) return writeMesh(path, file, *mesh.triangles, {normals});
-        file = withUsedPoints(file, *mesh.triangles);
+        PointFile file = *run.file;
+        storeDerived(*run.points, run.report, file);
+        if (!usedPoints) return writeMesh(path, file, triangles, {normals});
+        file = withUsedPoints(file, triangles);
         return writeMesh(path, file, file.faces, {normals});
     });
     if (written) return;
-    PyErr_SetString(PyExc_OSError, written.error().message.c_str());
+    PyErr_SetObject(PyExc_OSError, textOf(written.error().message).ptr());
     throw py::error_already_set();
 }
 
-/// Runs prepared points to the end.
-MadeMesh reconstructRun(const SharedRun& run, const py::object& progress) {
+/// The record Mesh of prepared points, run to the end; `trials`: of best().
+py::object meshOf(const SharedRun& run, const py::object& progress, const py::list& trials) {
     const Params params = paramsFrom(run->spec);
     Reconstruction made = longCall(progress, [&](const Progress& goOn) {
         return reconstruct(*run->points, params,
                            [&](const State& state) { return !goOnAt(state, goOn); });
     });
-    const Counters counters = made.state.counters;
-    auto mesh = std::make_shared<const Triangles>(takeMesh(std::move(made.state)));
-    return {run, std::move(mesh), counters, made.reason == StopReason::Capped};
+    return record("Mesh", preparedRecord(run), arrayOf(takeMesh(std::move(made.state))),
+                  made.reason == StopReason::Capped, trials);
 }
 
-/// Tries changes of the settings, and runs with the best; with the words and headlines of all.
-py::tuple bestOf(const Input& input, const Options& options, const py::object& progress) {
-    RunSpec named = withOptions({}, options);
-    named.source = input.source;
+/// Tries changes of the settings, and runs with the best.
+py::object bestOf(const Input& input, const Words& options, const py::object& progress) {
+    const RunSpec named = specFrom(options, input.source);
     const Input piece = pieceFrom(input, named);
     if (!paramsFrom(named).start.empty())
         throw std::invalid_argument("best: the run begins with given triangles");
@@ -135,11 +131,11 @@ py::tuple bestOf(const Input& input, const Options& options, const py::object& p
         progress, [&](const Progress& goOn) { return tryChanges(*piece.file, named, {}, goOn); }));
     py::list tried;
     for (const Trial& each : trials.tried)
-        tried.append(py::make_tuple(wordsOf(each.change), headlineOf(each.verdict)));
+        tried.append(record("Trial", wordsOf(each.change), headlineOf(each.verdict)));
     const Trial& best = trials.tried[trials.best];
     const SharedRun run = prepareRun(piece, changed(named, best.change), best.leaveOut, progress);
     run->named = named;
-    return py::make_tuple(reconstructRun(run, progress), tried);
+    return meshOf(run, progress, tried);
 }
 
 /// The judge of meshes of a run, by what the user has set.
@@ -151,150 +147,143 @@ std::shared_ptr<const MeshJudge> judgeOf(const PreparedRun& run, const Progress&
     return withoutOpeningsToClose(std::move(judge), params);
 }
 
-py::dict dictOf(const JudgedMesh& judged) {
+/// The record Verdict.
+py::object verdictRecord(const JudgedMesh& judged) {
     const MeshVerdict& verdict = judged.verdict;
     py::dict counts;
     for (std::size_t i = 0; i < verdict.totals.size(); ++i)
         counts[textOf(failureClasses()[i].name)] = verdict.totals[i].total;
     for (const VerdictCount& each : verdictCounts()) counts[textOf(each.name)] = each.of(verdict);
     py::list failures;
-    for (const MeshFailure& each : judged.inspection.failures) {
-        const py::dict failure(
-            "kind"_a = textOf(each.kind->name), "is_fault"_a = each.kind->fault,
-            "sentence"_a = describe(each), "points"_a = arrayOf(each.points),
-            "triangles"_a = arrayOf(each.triangles),
-            "place"_a = py::make_tuple(each.place.x, each.place.y, each.place.z));
-        failures.append(failure);
-    }
-    return py::dict("sound"_a = verdict.isSound(), "headline"_a = headlineOf(verdict),
-                    "exact"_a = isExact(verdict.totals), "places"_a = verdict.places,
-                    "pieces"_a = verdict.pieces, "openings"_a = verdict.openings,
-                    "covered"_a = verdict.covered(),
-                    "greatest_distance"_a = verdict.fidelity.greatestDistance,
-                    "mean_distance"_a = verdict.fidelity.meanDistance, "counts"_a = counts,
-                    "failures"_a = failures);
+    for (const MeshFailure& each : judged.inspection.failures)
+        failures.append(record("Failure", textOf(each.kind->name), each.kind->fault, describe(each),
+                               arrayOf(each.points), arrayOf(each.triangles),
+                               py::make_tuple(each.place.x, each.place.y, each.place.z)));
+    return record("Verdict", verdict.isSound(), headlineOf(verdict), isExact(verdict.totals),
+                  verdict.places, verdict.pieces, verdict.openings, verdict.covered(),
+                  verdict.fidelity.greatestDistance, verdict.fidelity.meanDistance, counts,
+                  failures);
 }
 
-py::dict judgeMade(const MadeMesh& mesh) {
-    JudgedMesh judged = longCall(py::none(), [&](const Progress& progress) {
-        PointSet points = *mesh.run->points;
-        points.judge = judgeOf(*mesh.run, progress);
-        return judgeMesh(points, *mesh.triangles);
-    });
-    judged.verdict.stopped = mesh.stopped;
-    return dictOf(judged);
+/// Throws if a corner is not finite.
+JudgedMesh judgeFinite(const PointSet& points, const Triangles& triangles) {
+    if (!haveFinitePositions(points, triangles))
+        throw InputError("A triangle has a corner that is not finite.");
+    return judgeMesh(points, triangles);
 }
 
-/// The points that judge a mesh: those that it was made of, in whose numbers `mesh` is then, or its
-/// own if `run` is null.
-PointSet judgingPoints(PointFile& mesh, const SharedRun& run, const Progress& progress) {
-    PointSet points;
-    if (!run) {
-        points.position = std::move(mesh.position);
-        points.normal = std::move(mesh.normal);
-        points.type = std::move(mesh.type);
-        return points;
-    }
-    MatchedMesh matched = matchMesh(run->file->position, mesh);
-    if (!matched.unmatchedNumbers.empty())
-        throw InputError("vertex " + std::to_string(matched.unmatchedNumbers.front()) +
-                         " of the mesh is none of the points that it is judged by");
-    mesh.faces = std::move(matched.triangles);
-    auto judge = judgeOf(*run, progress);
-    points = judge->points;
-    points.judge = std::move(judge);
-    return points;
+JudgedMesh judgedBy(const PreparedRun& run, const Triangles& triangles, const Progress& progress) {
+    PointSet points = *run.points;
+    points.judge = judgeOf(run, progress);
+    return judgeFinite(points, triangles);
 }
 
-py::dict checkMesh(const Input& input, const SharedRun& run) {
-    PointFile mesh = *input.file;
+py::object judgeMade(const PreparedRun& run, const TriangleArray& mesh, bool stopped) {
+    const Triangles triangles = trianglesOn(run, mesh);
+    JudgedMesh judged = longCall(
+        py::none(), [&](const Progress& progress) { return judgedBy(run, triangles, progress); });
+    judged.verdict.stopped = stopped;
+    return verdictRecord(judged);
+}
+
+/// `run`: the points that the mesh was made of; null: it is judged by its own.
+py::object checkMesh(const Input& input, const SharedRun& run) {
+    const PointFile& mesh = *input.file;
     if (mesh.faces.empty() && !run) throw InputError("The mesh has no triangles.");
-    if (!cornersBelow(mesh.faces, mesh.position.size()))
-        throw std::invalid_argument("triangles: a corner is no point of the mesh");
-    return dictOf(longCall(py::none(), [&](const Progress& progress) {
-        const PointSet points = judgingPoints(mesh, run, progress);
-        if (!haveFinitePositions(points, mesh.faces))
-            throw InputError("A triangle has a corner that is not finite.");
-        return judgeMesh(points, mesh.faces);
+    return verdictRecord(longCall(py::none(), [&](const Progress& progress) {
+        if (!run) {
+            PointSet own;
+            own.position = mesh.position;
+            own.normal = mesh.normal;
+            own.type = mesh.type;
+            return judgeFinite(own, mesh.faces);
+        }
+        const MatchedMesh matched = matchMesh(run->file->position, mesh);
+        if (!matched.unmatchedNumbers.empty())
+            throw InputError("vertex " + std::to_string(matched.unmatchedNumbers.front()) +
+                             " of the mesh is none of the points that it is judged by");
+        return judgedBy(*run, matched.triangles, progress);
     }));
 }
 
+/// Colors (size, size, 4) of a mesh as seen from a direction, the lowest row first.
+py::array pictureOf(const PreparedRun& run, const TriangleArray& mesh, int size,
+                    const std::array<double, 3>& toEye) {
+    const Triangles triangles = trianglesOn(run, mesh);
+    const Vec3 way(toEye[0], toEye[1], toEye[2]);
+    if (size < 1 || size > 8192) throw std::invalid_argument("size: expected 1 to 8192 pixels");
+    if (!(glm::length(way) > 0.0)) throw std::invalid_argument("view: expected a direction");
+    view::Picture picture = longCall(py::none(), [&](const Progress&) {
+        return view::meshPicture(run.points->position, triangles, size, way);
+    });
+    return arrayOf(std::move(picture.rgba)).reshape({size, size, 4});
+}
+
 /// Writes the points with the lists of a run, and a session that opens them at an address.
-void writeSession(const PreparedRun& run, const std::string& folder, const std::string& address) {
+void writeSession(const PreparedRun& run, const py::object& folder, const std::string& address) {
     PointFile file = *run.file;
     file.positionType = file.normalType = ScalarType::Double;
     file.normal = run.points->normal;
     file.type = run.points->type;
     file.neighbors = run.points->neighbors;
-    const std::filesystem::path place(folder);
+    const std::filesystem::path place(pathOf(folder));
     require<std::runtime_error>(writeMeshPly(place / "points.ply", file, {}));
     const RunSpec spec = withRule(specOf(paramsFrom(run.spec)), "opposing", 0.0);
     require<std::runtime_error>(
         writeFileAtomically(place / "run.sesession", sessionText({"points.ply", spec, address})));
 }
 
-/// The same points with the rules of these options; without any, with their own.
-SharedRun withRules(const PreparedRun& run, const Options& options) {
-    if (options.empty()) return std::make_shared<PreparedRun>(run);
-    for (const auto& option : options) {
-        const SpecField* const field = findSpecField(option.first);
-        if (field != nullptr && field->group != SpecGroup::Rules)
-            throw std::invalid_argument(option.first + ": these points are prepared already");
+/// The points prepared again, by other options.
+py::object preparedAgain(const PreparedRun& run, const Words& options, const py::object& progress) {
+    const SpecChange change = changeFrom(options);
+    for (const FieldValue& each : change) {
+        if (each.field->group == SpecGroup::Reading)
+            throw std::invalid_argument(std::string(each.field->option) +
+                                        ": these points are taken already");
     }
-    PreparedRun other = run;
-    other.spec = other.named = withOptions(withRulesOf(run.named, {}), options);
-    const Params before = paramsFrom(run.spec);
-    const Params after = possibleParams(other);
-    if (before.setNoiseAside != after.setNoiseAside ||
-        before.setStraysAside != after.setStraysAside ||
-        before.dropOpposingNormals != after.dropOpposingNormals)
-        throw std::invalid_argument(
-            "rules: these set other points aside, or others from the lists; prepare the points by "
-            "them");
-    return std::make_shared<PreparedRun>(std::move(other));
+    const Input piece{run.file, run.spec.source};
+    return preparedRecord(prepareRun(piece, otherRun(run.named, change), {}, progress));
 }
 
 }  // namespace
 
-py::dict countersDict(const Counters& c) {
-    return py::dict("pivots"_a = c.pivots, "skipped"_a = c.skipped, "seeds"_a = c.seeds,
-                    "isolated"_a = c.isolated, "stranded"_a = c.stranded,
-                    "discarded"_a = c.discarded, "splits"_a = c.splits, "joins"_a = c.joins,
-                    "freed_rings"_a = c.freedRings, "holes"_a = c.holes);
+py::object preparedRecord(const SharedRun& run) {
+    const PrepareReport& report = run->report;
+    py::dict counts(
+        "set_aside"_a = report.countAside(), "normals_derived"_a = report.derived.normals,
+        "normals_turned"_a = report.derived.turnedNormals,
+        "unknown_sides"_a = report.derived.unknownSides, "rim_points"_a = report.derived.rimPoints,
+        "lists_computed"_a = report.neighborsComputed, "noise"_a = report.noise);
+    for (const AsideWords& each : asideReasons())
+        counts[textOf(each.name)] = report.count(each.reason);
+    const PointSet& points = *run->points;
+    return record("Prepared", viewOf(points.position, run->points),
+                  viewOf(points.normal, run->points), viewOf(points.type, run->points),
+                  listsOf(points.neighbors, run->points), counts, wordsOf(valuesOf(run->spec)),
+                  run);
 }
 
 void bindMeshes(py::module_& module) {
-    py::class_<Input>(module, "Input").def("parts", [](const Input& i) { return partsOf(i); });
+    py::class_<Input>(module, "Input")
+        .def("record", pointsRecord)
+        .def(py::pickle([](const Input& input) { return pickled(input); },
+                        [](const py::tuple& pickle) { return inputFrom(pickle); }));
     module.def("from_arrays", fromArrays);
-    module.def("from_source", [](const std::string& source) {
-        const auto work = [&](const Progress&) { return readSource(source); };
-        return share(require<InputError>(longCall(py::none(), work)), source);
-    });
-    module.def("from_bytes", [](const std::string& bytes, const std::string& name) {
-        const auto work = [&](const Progress&) { return readPoints(bytes, name); };
-        return share(require<InputError>(longCall(py::none(), work)), name);
-    });
+    module.def("read", readSource);
     py::class_<PreparedRun, SharedRun>(module, "PreparedRun")
-        .def("parts", [](const PreparedRun& run) { return partsOf(run); })
-        .def("source", [](const PreparedRun& run) { return py::bytes(run.spec.source); })
+        .def("record", preparedRecord)
         .def("write_session", writeSession)
-        .def("with_rules", withRules);
-    module.def("prepare", [](const Input& input, const Options& options, const py::object& report) {
-        RunSpec spec = withOptions({}, options);
-        spec.source = input.source;
-        return prepareRun(pieceFrom(input, spec), spec, {}, report);
-    });
-    py::class_<MadeMesh>(module, "MadeMesh")
-        .def("parts",
-             [](const MadeMesh& mesh) {
-                 return py::dict("triangles"_a = viewOf(*mesh.triangles, mesh.triangles),
-                                 "counters"_a = countersDict(mesh.counters),
-                                 "stopped"_a = mesh.stopped);
-             })
-        .def_readonly("run", &MadeMesh::run)
+        .def("again", preparedAgain)
+        .def("mesh", meshOf)
         .def("judge", judgeMade)
-        .def("write", writeMade);
-    module.def("reconstruct", reconstructRun);
+        .def("write", writeMade)
+        .def("picture", pictureOf)
+        .def(py::pickle([](const PreparedRun& run) { return pickled(run); },
+                        [](const py::tuple& pickle) { return runFrom(pickle); }));
+    module.def("prepare", [](const Input& input, const Words& options, const py::object& report) {
+        const RunSpec spec = specFrom(options, input.source);
+        return preparedRecord(prepareRun(pieceFrom(input, spec), spec, {}, report));
+    });
     module.def("best", bestOf);
     module.def("check", checkMesh);
     module.def("scenes", [] {

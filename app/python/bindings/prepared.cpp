@@ -1,42 +1,24 @@
-// Options of a run, and points prepared by them.
-#include <map>
+// Options of a run, points prepared by them, and both in pickles.
+#include <pybind11/stl.h>
+
+#include <array>
 #include <stdexcept>
-#include <string_view>
 
 #include "bindings.h"
 #include "calls.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/stepper/given_start.h"
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se::python {
-namespace {
 
-/// `text`: the value, or empty.
-[[noreturn]] void refuse(const std::string& key, const std::string& text,
-                         const std::string& reason) {
-    const std::string name = key == "switches" ? "rule" : key;
-    throw std::invalid_argument(name + (text.empty() ? "" : " " + text) + ": " + reason);
+SpecChange changeFrom(const Words& words) {
+    return require<std::invalid_argument>(changeFromWords(words));
 }
 
-}  // namespace
-
-RunSpec withOptions(RunSpec spec, const Options& options) {
-    for (const auto& [key, text] : options) {
-        const SpecField* const field = findSpecField(key);
-        if (field == nullptr || field->option.empty()) refuse(key, "", "no such option of a run");
-    }
-    std::map<std::string_view, std::string> seen;  // the option of each kind that excludes others
-    for (const SpecField& field : specFields()) {
-        if (findSpecField(field.key) != &field) continue;  // another word of the same key
-        for (const auto& [key, text] : options) {
-            if (field.key != key) continue;
-            const auto [other, isFirst] = seen.try_emplace(field.excludes, key);
-            if (!field.excludes.empty() && !isFirst)
-                refuse(key, "", "not together with " + other->second);
-            if (const Status set = setField(field, spec, text); !set)
-                refuse(key, text, set.error().message);
-        }
-    }
+RunSpec specFrom(const Words& words, const std::string& source) {
+    RunSpec spec = changed({}, changeFrom(words));
+    spec.source = source;
     return spec;
 }
 
@@ -52,7 +34,7 @@ Input pieceFrom(const Input& input, const RunSpec& spec) {
 }
 
 SharedRun prepareRun(const Input& piece, const RunSpec& spec, const std::vector<Index>& leaveOut,
-                     const pybind11::object& progress) {
+                     const py::object& progress) {
     const PointFile& file = *piece.file;
     if (file.position.empty()) throw InputError("There are no points to triangulate.");
     const Params params = paramsFrom(spec);
@@ -62,7 +44,7 @@ SharedRun prepareRun(const Input& piece, const RunSpec& spec, const std::vector<
         longCall(progress, [&](const Progress& goOn) { return prepare(file, options, goOn); }));
     auto points = std::make_shared<const PointSet>(std::move(prepared.points));
     auto run = std::make_shared<PreparedRun>(
-        PreparedRun{piece.file, std::move(points), prepared.report, spec, spec});
+        PreparedRun{piece.file, std::move(points), prepared.report, spec, spec, leaveOut});
     possibleParams(*run);
     return run;
 }
@@ -72,6 +54,50 @@ Params possibleParams(const PreparedRun& run) {
     require<InputError>(requireStart(*run.points, params.start));
     require<std::invalid_argument>(requireWhatIfs(*run.points, params));
     return params;
+}
+
+// Pickles, for other processes of the same version.
+
+namespace {
+
+/// All that is set, as words that changeFrom() reads.
+Words wordsIn(const RunSpec& spec) {
+    Words words;
+    for (const auto& [field, text] : valuesOf(spec))
+        words.push_back(std::string(field->option.substr(field->option.find("--"))) + "=" + text);
+    return words;
+}
+
+}  // namespace
+
+py::tuple pickled(const Input& input) {
+    const PointFile& file = *input.file;
+    std::optional<std::array<double, 3>> viewpoint;
+    if (file.viewpoint) viewpoint = {file.viewpoint->x, file.viewpoint->y, file.viewpoint->z};
+    const std::string bytes = meshFormats().front().bytes(file, file.faces);
+    const std::vector<py::bytes> notes(file.notes.begin(), file.notes.end());
+    return py::make_tuple(py::bytes(input.source), py::bytes(bytes), viewpoint, notes);
+}
+
+Input inputFrom(const py::tuple& pickle) {
+    PointFile file = require<InputError>(readPoints(pickle[1].cast<std::string>(), "pickle.ply"));
+    if (const auto at = pickle[2].cast<std::optional<std::array<double, 3>>>())
+        file.viewpoint = Vec3((*at)[0], (*at)[1], (*at)[2]);
+    file.notes = pickle[3].cast<std::vector<std::string>>();
+    return {std::make_shared<const PointFile>(std::move(file)), pickle[0].cast<std::string>()};
+}
+
+py::tuple pickled(const PreparedRun& run) {
+    return py::make_tuple(pickled(Input{run.file, run.spec.source}), wordsIn(run.spec),
+                          wordsIn(run.named), run.leaveOut);
+}
+
+SharedRun runFrom(const py::tuple& pickle) {
+    const Input piece = inputFrom(pickle[0]);
+    SharedRun run = prepareRun(piece, specFrom(pickle[1].cast<Words>(), piece.source),
+                               pickle[3].cast<std::vector<Index>>(), py::none());
+    run->named = specFrom(pickle[2].cast<Words>(), piece.source);
+    return run;
 }
 
 }  // namespace se::python

@@ -1,6 +1,7 @@
 // Runs decision by decision: the cursor of a run, the stepper, and the reasons.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "calls.h"
+#include "paint/figures.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/run_cursor.h"
 #include "spiraling_edge/why/proof.h"
@@ -18,66 +20,77 @@ namespace {
 
 using namespace py::literals;
 
-/// Points and angles of a neighbor ring.
-py::tuple ringPoints(const std::vector<RingPoint>& ring) {
+/// The record RingPoints of a neighbor ring.
+py::object ringPoints(const std::vector<RingPoint>& ring) {
     std::vector<Index> points;
     std::vector<double> degrees;
     for (const RingPoint& each : ring) {
         points.push_back(each.point);
         degrees.push_back(each.degrees);
     }
-    return py::make_tuple(arrayOf(std::move(points)), arrayOf(std::move(degrees)));
+    return record("RingPoints", arrayOf(std::move(points)), arrayOf(std::move(degrees)));
 }
 
-/// Edge rings: of each its points, the open marks of its steps, whether it is active, its name.
+/// Edge rings as records.
 py::list ringList(const std::vector<RingPath>& rings) {
     py::list list;
     for (const RingPath& each : rings) {
         std::vector<std::uint8_t> open(each.open.begin(), each.open.end());
         const py::object marks = arrayOf(std::move(open)).attr("view")("bool");
         list.append(
-            py::make_tuple(arrayOf(each.points), marks, each.active, ringName(each.number)));
+            record("Ring", arrayOf(each.points), marks, each.active, ringName(each.number)));
     }
     return list;
 }
 
-/// The fields of the record State of the package.
-py::dict stateDict(const DecisionState& state, const PointSet& points, const Params& params) {
+/// A decision that has been looked at, by which its record is drawn.
+struct SeenDecision {
+    SharedRun run;
+    Params params;
+    DecisionState state;
+};
+
+/// The record State of a decision; `before`: that of the decision before it, or None.
+py::object stateRecord(const SeenDecision& seen, const py::object& prepared,
+                       const py::object& before) {
+    const DecisionState& state = seen.state;
+    const PointSet& points = *seen.run->points;
     std::optional<Reading> reading;
-    if (state.event) reading = readingOf(*state.event, {points, params, state.pivot});
+    if (state.event) reading = readingOf(*state.event, {points, seen.params, state.pivot});
     py::list candidates;
     for (const CandidateMark& each : state.candidates)
-        candidates.append(
-            py::make_tuple(each.point, each.degrees, each.state == CandidateState::Kept,
-                           textOf(verdictText(each.verdict)), textOf(stageName(each.stage))));
+        candidates.append(record("Candidate", each.point, each.degrees,
+                                 each.state == CandidateState::Kept,
+                                 textOf(verdictText(each.verdict)), textOf(stageName(each.stage))));
     std::vector<PointStatus> status(state.status.size());
     for (std::size_t i = 0; i < status.size(); ++i) status[i] = state.status[i];
-    return py::dict(
-        "event"_a = state.event, "reading"_a = readingDict(reading),
-        "pivot"_a = indexOrNone(state.pivot), "first"_a = indexOrNone(state.first),
-        "last"_a = indexOrNone(state.last), "start"_a = indexOrNone(state.start),
-        "end"_a = indexOrNone(state.end), "under_test"_a = indexOrNone(state.underTest),
-        "sector_degrees"_a = state.sectorDegrees, "complete"_a = state.complete,
-        "neighbor_ring"_a = ringPoints(state.neighborRing()), "fan"_a = ringPoints(state.fan()),
-        "candidates"_a = candidates, "rings"_a = ringList(state.rings),
-        "new_triangles"_a = arrayOf(state.newTriangles),
-        "finished_triangles"_a = state.finishedTriangles, "status"_a = arrayOf(std::move(status)));
+    return record("State", state.event ? eventRecord(*state.event) : py::none(),
+                  readingOrNone(reading), indexOrNone(state.pivot), indexOrNone(state.first),
+                  indexOrNone(state.last), indexOrNone(state.start), indexOrNone(state.end),
+                  indexOrNone(state.underTest), state.sectorDegrees, state.complete,
+                  ringPoints(state.neighborRing()), ringPoints(state.fan()), candidates,
+                  ringList(state.rings), arrayOf(state.newTriangles), state.finishedTriangles,
+                  arrayOf(std::move(status)), prepared, before, seen);
 }
 
+/// The records Line of a ledger.
 py::list lineList(const std::vector<LedgerLine>& lines) {
     py::list list;
     for (const LedgerLine& each : lines)
-        list.append(py::dict("event"_a = each.event, "role"_a = textOf(roleName(each.role)),
-                             "pivot"_a = indexOrNone(each.pivot),
-                             "reading"_a = readingDict(each.reading)));
+        list.append(record("Line", eventRecord(each.event), textOf(roleName(each.role)),
+                           indexOrNone(each.pivot), readingOrNone(each.reading)));
     return list;
 }
 
 /// A cursor at a decision of a run.
 class Cursor {
   public:
-    explicit Cursor(SharedRun run)
-        : run_(std::move(run)), params_(possibleParams(*run_)), cursor_(run_->points, params_) {}
+    /// `prepared`: the record.
+    explicit Cursor(py::object prepared)
+        : prepared_(std::move(prepared)),
+          run_(prepared_.attr("_core").cast<SharedRun>()),
+          params_(possibleParams(*run_)),
+          cursor_(run_->points, params_) {}
 
     /// False if the run has no such decision. Throws if `text` is no address.
     bool goTo(const std::string& text) {
@@ -86,38 +99,48 @@ class Cursor {
             throw std::invalid_argument(text + ": expected an address such as 137.sphere.3");
         return moved([&] { return cursor_.goTo(*address); });
     }
-    bool step(const std::string& unit, bool back) {
-        if (unit != "decision" && unit != "phase" && unit != "pivot")
-            throw std::invalid_argument(unit + ": expected decision, phase or pivot");
-        const StepUnit by = unit == "phase"   ? StepUnit::Phase
-                            : unit == "pivot" ? StepUnit::Pivot
-                                              : StepUnit::Decision;
-        return moved([&] { return back ? cursor_.back(by) : cursor_.forward(by); });
+    py::object forward(const std::string& unit) {
+        return stateIf(moved([&, by = unitFrom(unit)] { return cursor_.forward(by); }));
     }
-    bool runUntil(const std::string& line) {
+    py::object back(const std::string& unit) {
+        return stateIf(moved([&, by = unitFrom(unit)] { return cursor_.back(by); }));
+    }
+    py::object next(const std::string& line) {
         const DecisionQuery query = queryFrom(line);
         if (query.needsFailures())
             throw std::invalid_argument(line + ": conditions on failures need find()");
-        return moved([&] { return cursor_.runUntil(query); });
+        return stateIf(moved([&] { return cursor_.runUntil(query); }));
     }
-    py::dict state(bool before) const {
+    py::object state() const {
         turn_.requireReadable();
-        return stateDict(before ? cursor_.stateBefore() : cursor_.state(), *run_->points, params_);
+        const auto before =
+            stateRecord({run_, params_, cursor_.stateBefore()}, prepared_, py::none());
+        return stateRecord({run_, params_, cursor_.state()}, prepared_, before);
     }
-    std::vector<Event> events() const {
+    py::list events() const {
         turn_.requireReadable();
-        return cursor_.pivot().events;
+        py::list list;
+        for (const Event& each : cursor_.pivot().events) list.append(eventRecord(each));
+        return list;
     }
-    py::tuple find(const std::string& line, std::size_t most, const py::object& report) const {
+    py::object find(const std::string& line, std::size_t most, const py::object& report) const {
         const DecisionQuery query = queryFrom(line);
         const auto found =
             require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
                 return findDecisions(*run_->points, params_, query, most, progress);
             }));
-        return py::make_tuple(lineList(found.lines), found.total);
+        return record("Found", lineList(found.lines), found.total);
     }
 
   private:
+    py::object stateIf(bool moved) const { return moved ? state() : py::none(); }
+    static StepUnit unitFrom(const std::string& unit) {
+        constexpr std::array<std::string_view, 3> kUnits{"decision", "phase", "pivot"};
+        const auto found = std::find(kUnits.begin(), kUnits.end(), unit);
+        if (found == kUnits.end())
+            throw std::invalid_argument(unit + ": expected decision, phase or pivot");
+        return static_cast<StepUnit>(found - kUnits.begin());
+    }
     DecisionQuery queryFrom(const std::string& line) const {
         const std::string missing = missingPointIn(line, run_->points->size());
         if (!missing.empty()) throw std::invalid_argument(missing);
@@ -131,21 +154,22 @@ class Cursor {
         });
     }
 
+    py::object prepared_;
     SharedRun run_;
     Params params_;
     RunCursor cursor_;
     Turn turn_;
 };
 
-/// Why a point, an edge or a triangle is in the mesh of a run or not; `more`: as why --more.
-py::dict whyOf(const SharedRun& run, const std::vector<Index>& points, bool more,
-               const py::object& report) {
+/// Why a point, an edge or a triangle is in the mesh of a run or not.
+py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool more,
+                 const py::object& report) {
+    const ProofLimits limits = more ? ProofLimits{200, 100.0} : ProofLimits{};
     const Params params = possibleParams(*run);
     const Subject subject = points.size() == 1 ? Subject::point(points[0])
                             : points.size() == 2
                                 ? Subject::edge(points[0], points[1])
                                 : Subject::triangle(points.at(0), points.at(1), points.at(2));
-    const ProofLimits limits = more ? ProofLimits{200, 100.0} : ProofLimits{};
     const Ledger ledger =
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
             return provedWhy(*run->points, params, subject, limits, progress);
@@ -155,11 +179,9 @@ py::dict whyOf(const SharedRun& run, const std::vector<Index>& points, bool more
     std::optional<std::string> rule;
     if (ledger.preventedBy != nullptr)
         rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
-    return py::dict("subject"_a = ledger.name, "present"_a = ledger.present,
-                    "sentence"_a = ledger.answer,
-                    "cause"_a = toString(ledger.lines[ledger.cause].event.address),
-                    "proved_by"_a = textOf(provedByName(ledger.provedBy)), "what_if"_a = inverse,
-                    "rule"_a = rule, "lines"_a = lineList(ledger.lines));
+    return record("Answer", ledger.name, ledger.present, ledger.answer,
+                  toString(ledger.lines[ledger.cause].event.address),
+                  textOf(provedByName(ledger.provedBy)), inverse, rule, lineList(ledger.lines));
 }
 
 /// Names in the order of Phase: those of their stages where they have one.
@@ -177,34 +199,43 @@ class PythonStepper {
           observer_(std::move(observer)),
           stepper_(run_->points, possibleParams(*run_)) {
         if (!observer_.is_none())
-            stepper_.setObserver([this](const Event& event) { return asks(observer_, event); });
+            stepper_.setObserver([this](const Event& event) {
+                return asks(observer_, [&] { return eventRecord(event); });
+            });
     }
     PythonStepper(const PythonStepper&) = delete;
     PythonStepper& operator=(const PythonStepper&) = delete;
     ~PythonStepper() = default;
 
-    const Stepper& stepper() const {
+    const State& state() const {
         turn_.requireReadable();
-        return stepper_;
+        return stepper_.state();
     }
-    const State& state() const { return stepper().state(); }
-    /// One phase, or one pivot: a short step, with the lock.
-    bool step(bool pivot) {
-        return called(Call(), [&] { return pivot ? stepper_.stepPivot() : stepper_.advance(); });
+    py::str phase() const { return textOf(kPhases[static_cast<std::size_t>(state().phase)]); }
+    auto pivots() const { return state().counters.pivots; }
+    py::array status() const { return arrayOf(state().status); }
+    py::array triangles() const { return arrayOf(state().mesh()); }
+    py::list rings() const { return ringList(ringPaths(state().rings)); }
+    /// A short step, with the lock; so is a pivot.
+    bool advance() {
+        return called(Call(), [&] { return stepper_.advance(); });
     }
-    /// `condition`: called with `self` between two pivots; None: runs to the end.
-    const char* runUntil(const py::object& self, const py::object& condition,
-                         const py::object& report) {
+    bool stepPivot() {
+        return called(Call(), [&] { return stepper_.stepPivot(); });
+    }
+    const char* runUntil(const py::object& condition, const py::object& report) {
+        const py::object self = py::cast(this);
         return kReasons[static_cast<std::size_t>(called(Call(report), [&] {
             const Unlocked unlocked;
             return stepper_.runUntil([&](const State& now) {
                 const auto goOn = [&](double share) { return call_->goOn(share); };
-                return !goOnAt(now, goOn) || (!condition.is_none() && asks(condition, self));
+                return !goOnAt(now, goOn) ||
+                       (!condition.is_none() && asks(condition, [&] { return self; }));
             });
         }))];
     }
     /// Start, candidates and end, of the pivot that is being worked on; empty otherwise.
-    py::tuple neighborRing() const {
+    py::object neighborRing() const {
         const State& now = state();
         std::vector<RingPoint> ring;
         if (now.phase > Phase::Sort && now.phase <= Phase::Emit) {
@@ -222,7 +253,7 @@ class PythonStepper {
     bool asks(const py::object& function, const Argument& argument) {
         const Locked locked;
         if (call_->isOver()) return true;
-        return !call_->attempt([&] { return !py::bool_(function(argument)); });
+        return !call_->attempt([&] { return !py::bool_(function(argument())); });
     }
     /// The value of work(), during which functions are called as a part of `call`.
     template <typename Work>
@@ -246,30 +277,50 @@ class PythonStepper {
 }  // namespace
 
 void bindStepping(py::module_& module) {
-    py::class_<Cursor>(module, "Cursor")
-        .def(py::init<SharedRun>())
-        .def("go_to", &Cursor::goTo)
-        .def("step", &Cursor::step)
-        .def("run_until", &Cursor::runUntil)
-        .def("state", &Cursor::state)
-        .def("events", &Cursor::events)
-        .def("find", &Cursor::find);
+    py::class_<SeenDecision>(module, "SeenDecision")
+        .def("svg", [](const SeenDecision& seen, float width) {
+            return view::decisionSvg(*seen.run->points, seen.params, seen.state, width);
+        });
     module.def("why", whyOf);
+    py::class_<Cursor>(module, "Cursor")
+        .def(py::init<py::object>())
+        .def("_go_to", &Cursor::goTo)
+        .def("forward", &Cursor::forward, "unit"_a = "decision",
+             "One \"decision\", \"phase\" or \"pivot\" on; None, unmoved, at the end.")
+        .def("back", &Cursor::back, "unit"_a = "decision",
+             "One step back, at last to the start; None there.")
+        .def("next", &Cursor::next, "line"_a,
+             "On to the next decision that a line matches, \"stage=sphere refused margin<0.01\"\n"
+             "(spiraling-edge why --help); None, at the end of the run, if there is none.")
+        .def("find", &Cursor::find, "line"_a, "most"_a = 100, "progress"_a = py::none(),
+             "The first decisions of the whole run that a line matches. The place stays.")
+        .def_property_readonly("state", &Cursor::state, "The state at the place of the run.")
+        .def_property_readonly("events", &Cursor::events,
+                               "All decisions of the pivot at the place of the run, in order.");
     py::class_<PythonStepper>(module, "Stepper")
         .def(py::init<SharedRun, py::object>())
-        .def("step", &PythonStepper::step)
-        .def("run_until",
-             [](PythonStepper& stepper, const py::object& self, const py::object& condition,
-                const py::object& report) { return stepper.runUntil(self, condition, report); })
-        .def("neighbor_ring", &PythonStepper::neighborRing)
-        .def("rings", [](const PythonStepper& s) { return ringList(ringPaths(s.state().rings)); })
-        .def("status", [](const PythonStepper& s) { return arrayOf(s.state().status); })
-        .def("triangles", [](const PythonStepper& s) { return arrayOf(s.state().mesh()); })
-        .def("counters", [](const PythonStepper& s) { return countersDict(s.state().counters); })
-        .def("pivots", [](const PythonStepper& s) { return s.state().counters.pivots; })
-        .def("phase", [](const PythonStepper& s) {
-            return textOf(kPhases[static_cast<std::size_t>(s.state().phase)]);
-        });
+        .def("advance", &PythonStepper::advance,
+             "Runs one phase of a pivot. False, doing nothing, if the run is finished.")
+        .def("step_pivot", &PythonStepper::stepPivot,
+             "Runs to the end of the pivot, or of the next one if between two. False if none was\n"
+             "left, or if the observer stopped it.")
+        .def("run_until", &PythonStepper::runUntil, "condition"_a = py::none(),
+             "progress"_a = py::none(),
+             "Runs whole pivots until condition(self) is true between two of them, or to the end:\n"
+             "\"condition\", \"observer\", \"finished\", or \"capped\" after too many triangles.")
+        .def_property_readonly("phase", &PythonStepper::phase,
+                               "The next phase: \"seed\", \"pivot\", \"sort\", ..., \"finished\".")
+        .def_property_readonly("pivots", &PythonStepper::pivots,
+                               "Number of pivots begun; between two all of them are complete.")
+        .def_property_readonly(
+            "status", &PythonStepper::status,
+            "(n,) int32: UNUSED 0, USED the number of ring entries, DONE -1 (4).")
+        .def_property_readonly("triangles", &PythonStepper::triangles,
+                               "(t, 3) uint32: the mesh so far (6.4).")
+        .def_property_readonly("rings", &PythonStepper::rings,
+                               "The active edge ring, then the stack from the top (6.5).")
+        .def_property_readonly("neighbor_ring", &PythonStepper::neighborRing,
+                               "Start, candidates and end (6.1), from the sort to the triangles.");
 }
 
 }  // namespace se::python

@@ -5,6 +5,7 @@
 
 Write your own in place of sort_angle(), inside_sphere() and fan_triangles(). Ends with 1 at a difference.
 """
+import collections
 import sys
 
 import numpy as np
@@ -50,19 +51,16 @@ def answers(state, event, numbers):
     return None
 
 
-seen, equal, wrong = {}, {}, 0
+seen, wrong = collections.Counter(), collections.Counter()
 state = run.at(1)
 while state and state.event.pivot <= int(pivots):
     pair = answers(state, state.event, state.event.evidence) if state.pivot is not None else None
     if pair:
-        stage = state.event.stage
-        seen[stage] = seen.get(stage, 0) + 1
-        same = pair[0] == pair[1]
-        equal[stage] = equal.get(stage, 0) + same
-        if not same and seen[stage] - equal[stage] == 1:
+        seen[state.event.stage] += 1
+        wrong[state.event.stage] += pair[0] != pair[1]
+        if pair[0] != pair[1] and wrong[state.event.stage] == 1:
             print(f"{state.address}: yours {pair[0]}, ours {pair[1]}. {state.event.sentence}")
-        wrong += not same
     state = run.forward()
 for stage, count in seen.items():
-    print(f"{stage:<8} {equal[stage]} of {count} decisions equal")
-sys.exit(1 if wrong else 0)
+    print(f"{stage:<8} {count - wrong[stage]} of {count} decisions equal")
+sys.exit(1 if any(wrong.values()) else 0)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws one pivot with matplotlib: its neighbor ring, the edge ring, and the circumsphere test of section 6.3.
+"""Draws one pivot with matplotlib: angles are those of section 6.1, counterclockwise from first.
 
     draw_pivot.py [SCAN or scene:NAME] [ADDRESS] [PICTURE]
 """
@@ -10,6 +10,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 
 import spiraling_edge as se
 
@@ -17,45 +18,29 @@ source, address, picture = (sys.argv[1:] + ["scene:torus", "137.sphere.3", "pivo
 state = se.Run(source).at(address)
 if state.pivot is None:
     sys.exit(f"{address}: no decision of a pivot; try {address.split('.')[0]}.sort.1")
+position = state.prepared.position
+figure, axes = plt.subplots(figsize=(7, 7), layout="constrained", subplot_kw={"projection": "polar"})
 
 
-def plot(points, *style, **look):
-    plane = state.in_plane(points)
-    axes.plot(plane[:, 0], plane[:, 1], *style, **look)
+def plot(points, degrees, style, **look):
+    distance = np.linalg.norm(position[list(points)] - position[state.pivot], axis=1)
+    axes.plot(np.radians(degrees), distance, style, **look)
+    for point, angle, far in zip(points, degrees, distance):
+        axes.annotate(str(point), (np.radians(angle), far), xytext=(7, 7), textcoords="offset points")
 
 
-figure, axes = plt.subplots(figsize=(7, 7), layout="constrained")
-for corners in state.new_triangles:
-    plane = state.in_plane(corners)
-    axes.fill(plane[:, 0], plane[:, 1], color="#F6DFA8", ec="#B07800")
-offset, ids = state.prepared.neighbors
-near = [int(p) for p in ids[offset[state.pivot]:offset[state.pivot + 1]]]
-shown = {*near, *map(int, state.neighbor_ring.points), state.first, state.last, state.pivot}
-plot(near, "o", mfc="white", mec="#6B7280", label="neighbors")
-ring = state.rings[0].points.tolist()
-for i, p in enumerate(ring):
-    step = [p, ring[(i + 1) % len(ring)]]
-    if shown.issuperset(step):
-        plot(step, "-", color="#2A7FC0", lw=3, label="edge ring" if p == state.pivot else None)
-plot(state.neighbor_ring.points, "s--", color="#2A7FC0", mfc="#2A7FC0", label="neighbor ring")
-rejected = [each.point for each in state.candidates if not each.kept]
-plot(rejected, "x", color="#A83A00", ms=9, mew=2.5, label="rejected")
-plot([state.first], ">", color="#00694D", ms=11, label="first")
-plot([state.last], "<", color="#8E2C8A", ms=11, label="last")
-plot([state.pivot], "o", color="black", ms=11, mfc="white", mew=4, label="pivot")
-for p in shown:
-    axes.annotate(str(p), state.in_plane([p])[0], xytext=(6, 6), textcoords="offset points",
-                  bbox={"fc": "white", "ec": "none", "pad": 1})
-if state.under_test is not None:
-    plot([state.under_test], "o", mfc="none", mec="#B07800", ms=20, mew=2, label="under test")
-if len(state.circle()):
-    circle = state.in_plane(state.circle())
-    axes.plot(circle[:, 0], circle[:, 1], "-", color="#B07800", label="through p, s and t")
-axes.set_aspect("equal")
-axes.margins(0.12)
-sentence = textwrap.fill(state.event.sentence, 80)
-axes.set_title(f"{state.address}, section {state.event.section}\n{sentence}", fontsize=10)
-axes.set_xlabel("tangent plane of the pivot, first to the right; in the unit of the points")
-axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=4, markerscale=0.7)
+ring = state.neighbor_ring
+rejected = [each for each in state.candidates if not each.kept]
+plot(ring.points, ring.degrees, "s-", color="#2A7FC0", label="neighbor ring")
+plot([each.point for each in rejected], [each.degrees for each in rejected], "x", color="#A83A00", label="rejected")
+plot([state.first], [0.0], ">", color="#00694D", ms=10, label="first")
+plot([state.last], [state.sector_degrees], "<", color="#8E2C8A", ms=10, label="last")
+tested = [each for each in state.candidates if each.point == state.under_test]
+plot([each.point for each in tested], [each.degrees for each in tested], "o", color="#B07800", mfc="none", ms=18,
+     label="under test")
+axes.bar(0.0, axes.get_ylim()[1], np.radians(state.sector_degrees), align="edge", alpha=0.15, label="free sector")
+axes.set_title(f"{address}: {textwrap.fill(state.event.sentence, 80)}", fontsize=10)
+axes.set_xlabel(f"angle at the pivot {state.pivot} (6.1), distance from it in the unit of the points")
+axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=3)
 figure.savefig(picture, dpi=120)
 print(f"{picture}: {state.event.sentence}")
