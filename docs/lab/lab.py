@@ -206,13 +206,29 @@ def nearest_address(source, number, stage):
     return f"{number}.{parts[-1]}" if parts else str(number)
 
 
-def see(name, number, stage):
-    """The command that shows the decision."""
-    source = [str(DATA / f"{name}.ply")]
+def source_of(name):
+    """The words that name an input to the program."""
     if any(line.split()[0] == f"scene:{name}" for line in ask("scenes") if line.strip()):
-        source = [f"scene:{name}"]
-    elif (DATA / f"{name}.start.json").exists():
-        source += ["--start", str(DATA / f"{name}.start.json")]
+        return [f"scene:{name}"]
+    start = DATA / f"{name}.start.json"
+    return [str(DATA / f"{name}.ply")] + (["--start", str(start)] if start.exists() else [])
+
+
+def our_decisions(source, number, stage):
+    """Our decisions of a stage in sentences, where Python has the package spiraling_edge and the input no start."""
+    try:
+        import spiraling_edge
+    except ImportError:
+        return ""
+    if len(source) > 1:
+        return ""
+    run = spiraling_edge.Run(source[0])
+    run.at(number)
+    return "".join(f"\n  {each.address}: {each.sentence}" for each in run.events if each.stage == stage)
+
+
+def see(source, number, stage):
+    """The command that shows the decision."""
     return " ".join(["spiraling-edge-viewer", *source, "--goto",
                      nearest_address(source, number, stage)])
 
@@ -230,8 +246,10 @@ def test(stage):
             except Fault as fault:
                 return count, f"{where}: {fault}"
             if yours != ours:
+                source = source_of(name)
                 return count, (f"wrong at {where}\n  yours: {labeled(yours)}\n"
-                               f"  ours:  {labeled(ours)}\n  see: {see(name, number, stage)}")
+                               f"  ours:  {labeled(ours)}{our_decisions(source, number, stage)}\n"
+                               f"  see: {see(source, number, stage)}")
             count += 1
     return count, None
 

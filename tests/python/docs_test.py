@@ -58,3 +58,19 @@ def test_stages_are_compared_and_a_wrong_one_is_named(tmp_path):
     (tmp_path / "wrong.py").write_text(wrong)
     made = run(tmp_path / "wrong.py", "scene:torus", 60)
     assert made.returncode == 1 and re.search(r"^\d+\.sphere\.\d+: yours ", made.stdout, re.M)
+
+
+def test_the_lab_says_our_decisions_where_a_stage_is_wrong(tmp_path):
+    shutil.copytree(ROOT / "docs" / "lab", tmp_path / "lab")
+    shutil.copy(ROOT / "app" / "teach" / "share" / "setrace.py", tmp_path / "lab")
+    for stage in (ROOT / "tests" / "lab" / "reference").glob("*.py"):
+        shutil.copy(stage, tmp_path / "lab" / "stages")
+    sphere = tmp_path / "lab" / "stages" / "sphere.py"
+    sphere.write_text(sphere.read_text().replace(" or gap > 120.0", ""))
+    program = pathlib.Path(os.environ["SPIRALING_EDGE_PROGRAM"])
+    environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
+    run("lab.py", "data", "--seed", 1, cwd=tmp_path / "lab", env=environment)
+    made = run("lab.py", "check", "sphere", cwd=tmp_path / "lab", env=environment)
+    assert made.returncode == 1, made.stdout + made.stderr
+    pivot = re.search(r"pivot (\d+) ", made.stdout)[1]
+    assert re.search(rf"^  {pivot}\.sphere\.1: Point \d+ ", made.stdout, re.M), made.stdout
