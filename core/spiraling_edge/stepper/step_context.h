@@ -8,6 +8,7 @@
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/robust/waiting_fans.h"
 #include "spiraling_edge/stepper/rules.h"
 #include "spiraling_edge/stepper/state.h"
 #include "spiraling_edge/stepper/stepper.h"
@@ -24,6 +25,8 @@ struct StepContext {
     State& state;
     /// Per point: what isRim() found, since it is the same for the whole run; null: not kept.
     RimAnswer* rimAnswers = nullptr;
+    /// The fans that would be refused again; null: not kept.
+    WaitingFans* waiting = nullptr;
 
     const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
@@ -39,6 +42,10 @@ struct StepContext {
             answer =
                 isRim(points, p, params.thresholds.rimGapCosine) ? RimAnswer::Yes : RimAnswer::No;
         return answer == RimAnswer::Yes;
+    }
+    /// Notes that a ring step or triangle at the point changes in this pivot.
+    void change(Index p) const {
+        if (waiting != nullptr) waiting->change(p, state.counters.pivots);
     }
     /// True if angles grow clockwise (PaperRules::turn).
     bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }

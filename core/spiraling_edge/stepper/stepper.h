@@ -10,6 +10,7 @@
 #include "spiraling_edge/points/shared_points.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/robust/waiting_fans.h"
 #include "spiraling_edge/stepper/state.h"
 
 namespace se {
@@ -67,6 +68,7 @@ class Stepper {
     State exchangeState(State state) {
         observed_.clear();
         stopped_ = false;
+        waiting_.forget();
         return std::exchange(state_, std::move(state));
     }
     /// Moves the state out, e.g. for its triangles. The stepper starts over.
@@ -103,6 +105,7 @@ class Stepper {
     /// a log.
     bool altered_;
     std::vector<RimAnswer> rimAnswers_;  ///< Empty where what-ifs change the points.
+    WaitingFans waiting_;                ///< Empty with non-default paper rules or what-ifs.
     State state_;
     EventLog* log_;
     DecisionObserver observer_;

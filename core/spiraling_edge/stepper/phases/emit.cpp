@@ -94,6 +94,8 @@ void phaseEmit(AnyContext auto& context) {
     const Index p = s.rings.point(s.pivot.pivot);
     listSpokes(s);
     const std::vector<Index>& spokes = s.pivot.spokes;
+    context.change(p);
+    for (const Index each : spokes) context.change(each);
     const std::size_t before = s.triangles.size();
     for (std::size_t i = 0; i + 1 < spokes.size(); ++i) {
         assert(spokes[i] != p && spokes[i + 1] != p && spokes[i] != spokes[i + 1]);

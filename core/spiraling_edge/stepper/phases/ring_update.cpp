@@ -20,6 +20,7 @@ void release(AnyContext auto& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
     assert(s.status[x] > 0);  // Invariant 1: the number of its entries.
+    context.change(x);
     s.rings.erase(entry);
     if (s.status[x] == 1) {
         s.finish(x);
@@ -279,6 +280,7 @@ void freeFailedSeed(AnyContext auto& context) {
         const Index x = s.rings.point(e);
         if (x == start) ++s.startPointer;
         if (!isBoundary(context.points.type[x])) ++interior;
+        context.change(x);
         s.rings.erase(e);
         s.status[x] = kUnused;
         noteRing(context, Stage::Done, x, false);

@@ -25,6 +25,7 @@ bool hasUsedNeighbor(const PointSet& points, const State& state, Index p) {
 /// Marks a point DONE that no fan took (§4). `unseeded`: although neighbors are UNUSED.
 void strand(AnyContext auto& context, Index p, bool unseeded = false) {
     State& s = context.state;
+    context.change(p);
     s.finish(p);
     const bool isolated = context.points.neighbors[p].empty();
     ++(isolated ? s.counters.isolated : s.counters.stranded);
@@ -35,8 +36,10 @@ void strand(AnyContext auto& context, Index p, bool unseeded = false) {
 
 void beginRing(AnyContext auto& context, Index p, Index q) {
     State& s = context.state;
-    s.status[p] = 1;
-    s.status[q] = 1;
+    for (const Index each : {p, q}) {
+        context.change(each);
+        s.status[each] = 1;
+    }
     s.pivot.pivot = s.rings.start(p, q);
     s.circuit = 0;
     ++s.counters.seeds;
@@ -158,6 +161,25 @@ void setPivot(StepContext& context, Index entry) {
     n.lastAngle = n.endAngle = sector.last;
 }
 
+namespace {
+
+/// True if the fan of the pivot is known to be refused. With a log it is made once more, for the
+/// events.
+template <AnyContext Context>
+bool isRefusedAgain(const Context& context) {
+    if (kLogging<Context> || context.waiting == nullptr) return false;
+    const State& s = context.state;
+    const Index entry = s.pivot.pivot;
+    const Index p = s.rings.point(entry);
+    return s.third.entry == kNone &&
+           context.waiting->refuses(
+               entry, s.retryLevel,
+               {p, s.rings.point(s.rings.prev(entry)), s.rings.point(s.rings.next(entry))},
+               context.points.neighbors[p]);
+}
+
+}  // namespace
+
 void phasePivot(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
@@ -173,6 +195,11 @@ void phasePivot(AnyContext auto& context) {
         !tryBoundaryPivot(context)) {
         ++s.counters.skipped;
         note(context, Stage::Skip, [&] { return SkipEvidence{p, context.points.type[p]}; });
+        s.phase = Phase::Advance;
+        return;
+    }
+    if (isRefusedAgain(context)) {
+        ++s.counters.refused;
         s.phase = Phase::Advance;
         return;
     }

@@ -178,8 +178,11 @@ std::optional<GuardEvidence> firstStandingObjection(AnyContext auto& context,
 }
 
 void refuse(StepContext& context) {
-    ++context.state.counters.refused;
-    context.state.phase = Phase::Advance;
+    State& s = context.state;
+    ++s.counters.refused;
+    s.phase = Phase::Advance;
+    if (context.waiting != nullptr)
+        context.waiting->refuse(s.pivot.pivot, s.counters.pivots, s.retryLevel);
 }
 
 void retryWithout(StepContext& context, Index point) {
