@@ -94,14 +94,16 @@ void phaseEmit(AnyContext auto& context) {
     const Index p = s.rings.point(s.pivot.pivot);
     listSpokes(s);
     const std::vector<Index>& spokes = s.pivot.spokes;
-    context.change(p);
-    for (const Index each : spokes) context.change(each);
     const std::size_t before = s.triangles.size();
     for (std::size_t i = 0; i + 1 < spokes.size(); ++i) {
         assert(spokes[i] != p && spokes[i + 1] != p && spokes[i] != spokes[i + 1]);
         s.triangles.push_back({p, spokes[i], spokes[i + 1]});
     }
     s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);
+    if (context.waiting != nullptr) {
+        context.change(p);
+        for (const Index each : spokes) context.change(each);
+    }
     if (!s.edges.empty()) {
         for (const Triangle& t : std::span(s.triangles).subspan(before)) {
             // Invariant 5, unless a what-if overrides the guard: no directed edge twice.
