@@ -42,18 +42,12 @@ struct MeshIndex {
     std::vector<Index> changed;        ///< Triangles that changed since.
 };
 
-/// The four points around an edge u v: x on the left of u -> v, y on the right.
-struct FlipQuad {
-    Index u = kNone, v = kNone, x = kNone, y = kNone;
-    friend bool operator==(const FlipQuad&, const FlipQuad&) = default;
-};
-
 /// Edges at the front of the queue that were looked at in advance.
 struct FlipsAhead {
     const PointSet* points = nullptr;
-    std::size_t from = 0;  ///< The first one: a position in RepairState::queue.
-    /// Of an edge with these four points it is known that it is not flipped; kNone: not known.
-    std::vector<FlipQuad> stays;
+    std::size_t from = 0;               ///< The first one: a position in RepairState::queue.
+    std::vector<std::uint8_t> stays;    ///< 1: it is not flipped unless a triangle at it changes.
+    std::vector<std::uint8_t> changed;  ///< Per triangle: 1 if it changed since.
 };
 
 /// The numbers of a RepairState.

@@ -64,7 +64,9 @@ Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
       edited_(editedPoints(*points_, params)),
       altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
       rimAnswers_(params.robust.rim && edited_.empty() ? points_->size() : 0),
-      waiting_(params.robust.looksAtFan() && !altered_ ? points_->size() : 0),
+      waiting_(params.robust.looksAtFan() && !altered_
+                   ? std::make_unique<WaitingFans>(points_->size())
+                   : nullptr),
       state_(startState(*points_, params)),
       log_(log) {}
 
@@ -80,20 +82,19 @@ const PointSet& Stepper::points() const {
 template <typename Work>
 bool Stepper::inContext(Work&& work) {
     RimAnswer* const rims = rimAnswers_.empty() ? nullptr : rimAnswers_.data();
-    WaitingFans* const waiting = waiting_.empty() ? nullptr : &waiting_;
 #ifndef SPIRALING_EDGE_WITHOUT_LOG
     if (log_ != nullptr || observer_) {
-        LoggedContext context{{points(), params_, state_, rims, waiting},
+        LoggedContext context{{points(), params_, state_, rims, waiting_.get()},
                               log_ != nullptr ? *log_ : observed_};
         return work(context);
     }
 #endif
     if (altered_ && (!(params_.paper == PaperRules{}) || forksAt(params_, presentPivot(state_)))) {
         EventLog discardedLog;
-        LoggedContext context{{points(), params_, state_, rims, waiting}, discardedLog};
+        LoggedContext context{{points(), params_, state_, rims, waiting_.get()}, discardedLog};
         return work(context);
     }
-    UnloggedContext context{{points(), params_, state_, rims, waiting}};
+    UnloggedContext context{{points(), params_, state_, rims, waiting_.get()}};
     return work(context);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -68,7 +69,7 @@ class Stepper {
     State exchangeState(State state) {
         observed_.clear();
         stopped_ = false;
-        waiting_.forget();
+        if (waiting_) waiting_->forget();
         return std::exchange(state_, std::move(state));
     }
     /// Moves the state out, e.g. for its triangles. The stepper starts over.
@@ -105,7 +106,8 @@ class Stepper {
     /// a log.
     bool altered_;
     std::vector<RimAnswer> rimAnswers_;  ///< Empty where what-ifs change the points.
-    WaitingFans waiting_;                ///< Empty with non-default paper rules or what-ifs.
+    /// Null where no fan is refused, and with non-default paper rules or what-ifs.
+    std::unique_ptr<WaitingFans> waiting_;
     State state_;
     EventLog* log_;
     DecisionObserver observer_;

@@ -20,7 +20,6 @@ void release(AnyContext auto& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
     assert(s.status[x] > 0);  // Invariant 1: the number of its entries.
-    context.change(x);
     s.rings.erase(entry);
     if (s.status[x] == 1) {
         s.finish(x);
@@ -28,6 +27,12 @@ void release(AnyContext auto& context, Index entry, Stage stage) {
         --s.status[x];
     }
     noteRing(context, stage, x, false);
+}
+
+/// As release(), for a point that need not be one of a new fan.
+void releaseElsewhere(AnyContext auto& context, Index entry, Stage stage) {
+    context.change(context.state.rings.point(entry));
+    release(context, entry, stage);
 }
 
 void insertCandidates(AnyContext auto& context) {
@@ -94,8 +99,8 @@ void closeRingIfFinished(AnyContext auto& context, Index ring) {
         return CloseEvidence{s.rings.point(a), lone ? kNone : s.rings.point(b)};
     });
     ++s.counters.closedRings;
-    release(context, a, Stage::Ring);
-    if (!lone) release(context, b, Stage::Ring);
+    releaseElsewhere(context, a, Stage::Ring);
+    if (!lone) releaseElsewhere(context, b, Stage::Ring);
 }
 
 /// True if the entry is alive and its two ring neighbors are entries of one point. Inline: rarely
@@ -124,8 +129,8 @@ void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
     s.rings.setOpen(before, s.rings.open(after));
     if (s.pivot.end == entry || s.pivot.end == after) s.pivot.end = beyond;
     if (s.pivot.start == entry || s.pivot.start == after) s.pivot.start = before;
-    release(context, entry, Stage::Ring);
-    release(context, after, Stage::Ring);
+    releaseElsewhere(context, entry, Stage::Ring);
+    releaseElsewhere(context, after, Stage::Ring);
     closeRingIfFinished(context, s.rings.ringOf(before));
     closeEdgeIfFinished(context, before);
     closeEdgeIfFinished(context, beyond);
@@ -310,7 +315,7 @@ void freeActiveRing(AnyContext auto& context) {
         const Index x = s.rings.point(e);
         const bool isInterior = !isBoundary(context.points.type[x]);
         if (isInterior && example == kNone) example = x;
-        release(context, e, Stage::Done);
+        releaseElsewhere(context, e, Stage::Done);
         // A point may have several entries on it.
         if (isInterior && !isOnRing(s.rings, x, ring)) ++interior;
     }

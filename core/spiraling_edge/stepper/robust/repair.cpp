@@ -145,6 +145,7 @@ void RepairState::setTriangle(Index t, const Triangle& corners) {
         triangles.set(t, corners);
     }
     if (near.tree != nullptr) near.changed.push_back(t);
+    if (t < flipsAhead.changed.size()) flipsAhead.changed[t] = 1;
 }
 
 void RepairState::popTriangle() {
@@ -166,6 +167,7 @@ RepairPlace RepairState::place() const {
 
 void RepairState::moveTo(const RepairPlace& place) {
     static_cast<RepairNumbers&>(*this) = place.numbers;
+    flipsAhead = {};
     auto changes = place.changes.begin();
     triangles.moveTo(*changes, [&](std::size_t t) {
         if (near.tree != nullptr) near.changed.push_back(static_cast<Index>(t));

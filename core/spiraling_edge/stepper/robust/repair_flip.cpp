@@ -16,8 +16,11 @@ namespace se {
 
 namespace {
 
-/// A FlipQuad and its triangles.
-struct Quad : FlipQuad {
+/// The four points around an edge u v, x on the left of u -> v, y on the right, and its triangles
+/// before and after a flip.
+struct Quad {
+    Index u, v, x, y;
+
     Triangle left() const { return {u, v, x}; }
     Triangle right() const { return {v, u, y}; }
     Triangle flippedU() const { return {u, y, x}; }
@@ -26,7 +29,7 @@ struct Quad : FlipQuad {
 
 Quad quadAt(const RepairState& m, HalfEdge h) {
     const Triangle left = cornersFrom(m, h);
-    return {{left.a, left.b, left.c, cornersFrom(m, m.twin[h]).c}};
+    return {left.a, left.b, left.c, cornersFrom(m, m.twin[h]).c};
 }
 
 /// Faults of two triangles at the edge they share and at the four edges around them.
@@ -186,19 +189,20 @@ void lookAhead(const PointSet& points, const RobustThresholds& thresholds, Repai
     if (known || count < 2 * kAheadPerThread || threadCount(0) < 2) return;
     ahead.points = &points;
     ahead.from = m.queueFront;
-    ahead.stays.assign(count, FlipQuad{});
+    ahead.stays.assign(count, 0);
+    ahead.changed.assign(m.triangles.size(), 0);
     forEachItem(count, 0, kAheadPerThread, [&](std::size_t i) {
         const HalfEdge h = m.queue[ahead.from + i];
         if (h >= m.twin.size() || m.twin[h] == kNone) return;
-        const Quad q = quadAt(m, h);
-        if (clearlyStays(points, thresholds, q)) ahead.stays[i] = q;
+        if (clearlyStays(points, thresholds, quadAt(m, h))) ahead.stays[i] = 1;
     });
 }
 
-/// True if lookAhead() found that the edge stays, and it still has the same four points.
-bool stays(const FlipsAhead& ahead, std::size_t place, const Quad& q) {
+/// True if lookAhead() found that the edge stays, and its two triangles are the same.
+bool stays(const FlipsAhead& ahead, std::size_t place, Index left, Index right) {
     if (place < ahead.from || place - ahead.from >= ahead.stays.size()) return false;
-    return ahead.stays[place - ahead.from] == FlipQuad(q);
+    return ahead.stays[place - ahead.from] != 0 && ahead.changed[left] == 0 &&
+           ahead.changed[right] == 0;
 }
 
 /// A conflict may move to triangles that are not examined, and come back: each triangle takes part
@@ -279,8 +283,8 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         const HalfEdge h = m.queue[place];
         // Other steps shorten the list, so that a side in the queue may no longer exist.
         if (h >= m.twin.size() || m.twin[h] == kNone) continue;
+        if (stays(m.flipsAhead, place, h / 3, m.twin[h] / 3)) continue;
         const Quad q = quadAt(m, h);
-        if (stays(m.flipsAhead, place, q)) continue;
         const Gain gain = gainOfFlip(points, thresholds, m, h, q);
         if (gain == Gain::None) continue;
         if (gain == Gain::Conflicts) {

@@ -164,7 +164,7 @@ constexpr std::size_t kMaxCheapGone = 3;
 /// The most faults that a place may add: those of a point in no triangle.
 constexpr int kMaxAdded = 1;
 /// Number of new triangles that are looked at for a place at a price.
-constexpr std::size_t kMaxCheapMade = 60;
+constexpr std::size_t kMaxCheapMade = 120;
 
 /// Finds the best place for one point.
 class PlaceSearch {

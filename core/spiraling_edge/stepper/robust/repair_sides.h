@@ -114,7 +114,8 @@ bool isSound(const PointSet& points, RepairState& m, Index t);
 /// True if the triangle is rough and not sound; found out once for a triangle that is not.
 bool isFaulty(const PointSet& points, RepairState& m, Index t);
 
-/// Asks isSound() of all triangles that are rough or beside a rough one, on all cores.
+/// Asks isSound() of all triangles that are rough or beside a rough one, on all cores; the others
+/// count as sound.
 void findSound(const PointSet& points, RepairState& m);
 
 /// The cosine of 1.1 degrees. Triangles with a smaller angle, almost without width, are worse than

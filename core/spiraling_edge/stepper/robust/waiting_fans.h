@@ -16,10 +16,8 @@ namespace se {
 /// it. It follows from the run, so it is no part of State.
 class WaitingFans {
   public:
-    /// Keeps nothing for 0 points.
     explicit WaitingFans(std::size_t pointCount) : changedAt_(pointCount, 0) {}
 
-    bool empty() const { return changedAt_.empty(); }
     /// Forgets all fans: the run goes on from another place.
     void forget() { refusals_.clear(); }
     /// A ring step or triangle at the point changes in this pivot.
