@@ -76,14 +76,19 @@ Answer answerOf(const Ledger& ledger) {
     Answer answer;
     answer.json["present"] = ledger.present;
     addLedger(ledger, answer);
-    if (ledger.inverse) {
-        answer.text += fmt::format("\nInverted: --what-if \"{}\"\n", lineOf(*ledger.inverse));
-        answer.json["what_if"] = Json::array({lineOf(*ledger.inverse)});
+    if (!ledger.inversions.empty()) {
+        answer.text += "\nInverted: --what-if";
+        for (const WhatIf& each : ledger.inversions) {
+            answer.text += fmt::format(" \"{}\"", lineOf(each));
+            answer.json["what_if"].push_back(lineOf(each));
+        }
+        answer.text += "\n";
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
     if (ledger.preventedBy != nullptr) {
         const std::string rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
-        answer.text += (ledger.inverse ? "" : "\n") + fmt::format("Rule:     --rule {}\n", rule);
+        answer.text +=
+            (ledger.inversions.empty() ? "\n" : "") + fmt::format("Rule:     --rule {}\n", rule);
         answer.json["rule"] = rule;
     }
     return answer;

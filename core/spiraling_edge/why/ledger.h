@@ -66,7 +66,8 @@ struct Ledger {
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
     /// why() sets only Step and Preparation, provedWhy() also Inversion.
     ProvedBy provedBy = ProvedBy::Nothing;
-    std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
+    /// The what-ifs under which the answer is another: that of the cause, or two of one pivot.
+    std::vector<WhatIf> inversions = {};
     /// The rule that prevents a failure, or brings an absent point in, when it is on
     /// (prevention.h); null: none was found, or none was looked for.
     const RuleSetting* preventedBy = nullptr;

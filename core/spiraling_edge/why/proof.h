@@ -14,7 +14,7 @@ struct ProofLimits {
     /// Steps of all inversions, in runs; at least kLeastProofSteps in any case.
     double runs = 3.0;
 };
-inline constexpr std::uint64_t kLeastProofSteps = 200'000;
+inline constexpr std::uint64_t kLeastProofSteps = 500'000;
 
 /// The question why the subject is in the mesh of a run, or is not, answered with its proof: the
 /// ledger of why(), with the lines about triangles in the place of an absent subject, and the

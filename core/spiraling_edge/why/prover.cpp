@@ -99,24 +99,39 @@ class Prover {
         const bool wasCut = all_.size() >= kMostInvertible;
         if (!lookAtPivots()) return Error{"Cancelled."};
         sortByPromise();
-        Result<Proof> proof = runToEnds(steps, limits);
-        if (proof && wasCut) proof.value().complete = false;
+        Proof proof{.left = stepsOf(limits, steps)};
+        if (!runToEnds(limits, proof)) return Error{"Cancelled."};
+        if (proof.effect == Effect::None && proof.complete && aim_.showsAtOnce) {
+            if (!findPairs(proof.left) || !runToEnds(limits, proof)) return Error{"Cancelled."};
+        }
+        if (wasCut) proof.complete = false;
         return proof;
     }
 
   private:
-    Params with(const WhatIf& inverse) const {
+    Params with(const Invertible& inverted) const {
         Params forked = params_;
-        forked.whatIf.push_back(inverse);
+        forked.whatIf.push_back(inverted.inverse);
+        if (inverted.second) forked.whatIf.push_back(inverted.second->inverse);
         return forked;
+    }
+    void sortByPivot() {
+        std::stable_sort(all_.begin(), all_.end(), [](const Invertible& a, const Invertible& b) {
+            return a.inverse.pivot < b.inverse.pivot;
+        });
+    }
+    /// True if the pivot after this state, run with `forked`, changes the answer.
+    bool showsAtOnce(const Params& forked, const State& before) const {
+        Stepper fork(points_, forked);
+        fork.setState(before);
+        fork.stepPivot();
+        return aim_.showsAtOnce(std::span(fork.state().triangles).subspan(before.triangles.size()));
     }
 
     /// Leaves out inversions that are refused, and marks those that show at their pivot. False if
     /// cancelled.
     bool lookAtPivots() {
-        std::stable_sort(all_.begin(), all_.end(), [](const Invertible& a, const Invertible& b) {
-            return a.inverse.pivot < b.inverse.pivot;
-        });
+        sortByPivot();
         Stepper stepper(points_, params_);
         std::uint64_t left = ~std::uint64_t{0};
         std::vector<Invertible> possible;
@@ -124,16 +139,9 @@ class Prover {
             const std::uint32_t pivot = each.inverse.pivot;
             const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
             if (!advanceUntil(stepper, left, goesOn_, isThere) || !goesOn_()) return false;
-            const Params forked = with(each.inverse);
+            const Params forked = with(each);
             if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
-            if (aim_.showsAtOnce) {
-                Stepper fork(points_, forked);
-                fork.setState(stepper.state());
-                const std::size_t before = fork.state().triangles.size();
-                fork.stepPivot();
-                each.showsAtOnce =
-                    aim_.showsAtOnce(std::span(fork.state().triangles).subspan(before));
-            }
+            each.showsAtOnce = aim_.showsAtOnce && showsAtOnce(forked, stepper.state());
             possible.push_back(each);
         }
         all_ = std::move(possible);
@@ -154,34 +162,80 @@ class Prover {
         });
     }
 
-    Result<Proof> runToEnds(std::uint64_t steps, const ProofLimits& limits) {
+    /// Looks for two inversions of one pivot that show there only together: the second one is of a
+    /// decision that the first one leads to. Takes `left` steps at most. False if cancelled.
+    bool findPairs(std::uint64_t& left) {
+        sortByPivot();
+        Stepper stepper(points_, params_);
+        std::vector<Invertible> pairs;
+        for (const Invertible& each : all_) {
+            if (each.listed != kNone || each.showsAtOnce) continue;
+            const std::uint32_t pivot = each.inverse.pivot;
+            const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
+            if (!advanceUntil(stepper, left, goesOn_, isThere) || !goesOn_()) return false;
+            if (isThere()) addPairs(each, stepper.state(), left, pairs);
+        }
+        all_ = std::move(pairs);
+        return true;
+    }
+
+    void addPairs(const Invertible& first, const State& before, std::uint64_t& left,
+                  std::vector<Invertible>& pairs) const {
+        const std::uint64_t cost = 1 + points_.size() / kPointsPerStep;
+        EventLog log;
+        Stepper fork(points_, with(first), &log);
+        fork.setState(before);
+        fork.stepPivot();
+        Index pivot = kNone;
+        for (const Event& event : log.events()) {
+            if (const auto* begins = as<PivotEvidence>(event)) pivot = begins->pivot;
+            if (event.address.pivot != first.inverse.pivot || left < cost) continue;
+            const auto inverse = inverseOf(points_, LedgerLine{event, pivot, {}, {}});
+            const auto isKnown = [&](const Invertible& each) {
+                return each.inverse == *inverse && each.second->inverse == first.inverse;
+            };
+            if (!inverse || inverse->kind == WhatIfKind::List ||
+                std::any_of(pairs.begin(), pairs.end(), isKnown))
+                continue;
+            Invertible pair = first;
+            pair.second = FollowingDecision{event, *inverse};
+            left -= cost;
+            const Params both = with(pair);
+            if (checkLastWhatIf(points_, both, before) && showsAtOnce(both, before))
+                pairs.push_back(pair);
+        }
+    }
+
+    /// Runs the inversions up to the first that changes the answer. False if cancelled.
+    bool runToEnds(const ProofLimits& limits, Proof& proof) {
         constexpr double kLookShare = 0.3;
-        Proof proof;
-        std::uint64_t left = stepsOf(limits, steps);
         for (const Invertible& each : all_) {
             share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
                                       static_cast<double>(limits.inversions);
-            if (proof.tried == limits.inversions || left == 0) {
+            if (proof.tried == limits.inversions || proof.left == 0) {
                 proof.complete = false;
                 break;
             }
-            if (!goesOn_()) return Error{"Cancelled."};
-            Stepper fork(points_, with(each.inverse));
-            const auto effect = effectOfRun(fork, points_, aim_, left, goesOn_);
-            if (!effect) return Error{"Cancelled."};
+            if (!goesOn_()) return false;
+            Stepper fork(points_, with(each));
+            const auto effect = effectOfRun(fork, points_, aim_, proof.left, goesOn_);
+            if (!effect) return false;
             if (!fork.state().finished()) {
                 proof.complete = false;
                 break;
             }
             ++proof.tried;
+            if (each.second) ++proof.pairs;
             if (*effect <= proof.effect) continue;
             proof.found = each;
             proof.effect = *effect;
             if (*effect == Effect::Changed) break;
         }
-        proof.left = left;
-        return proof;
+        return true;
     }
+
+    /// A fork copies the state: points that take as long as a step.
+    static constexpr std::uint64_t kPointsPerStep = 64;
 
     const PointSet& points_;
     const Params& params_;
@@ -199,8 +253,8 @@ std::string wordsOf(const Ledger& ledger, const Proof& proof) {
     if (proof.found->listed != kNone)
         return ", and would be if " + std::to_string(proof.found->inverse.point) + " listed " +
                std::to_string(proof.found->listed) + ": ";
-    return std::string(", and would ") + (ledger.present ? "not be" : "be") +
-           " with this decision inverted: ";
+    return std::string(", and would ") + (ledger.present ? "not be" : "be") + " with " +
+           (proof.found->second ? "two decisions" : "this decision") + " inverted: ";
 }
 
 /// The end of an answer that is not proved.
@@ -208,7 +262,8 @@ std::string doubtOf(const Proof& proof) {
     if (proof.tried == 0)
         return proof.complete ? " Not proved: no decision about it can be inverted."
                               : " Not proved: the first inversion ran too long.";
-    const std::string count = counted(proof.tried, "inversion");
+    std::string count = counted(proof.tried - proof.pairs, "inversion");
+    if (proof.pairs > 0) count += " and " + counted(proof.pairs, "pair");
     return " Not proved: " + (proof.complete ? count : "the first " + count) +
            (proof.tried == 1 ? " does" : " do") + " not change it.";
 }
@@ -221,7 +276,7 @@ void settle(Ledger& ledger, const Proof& proof) {
         if (line != ledger.cause) ledger.words = describe(ledger.lines[line].event);
         ledger.cause = line;
         ledger.provedBy = ProvedBy::Inversion;
-        ledger.inverse = proof.found->inverse;
+        ledger.inversions = {proof.found->inverse};
         between = wordsOf(ledger, proof);
     } else if (ledger.provedBy == ProvedBy::Step) {
         between = std::string(", since a step after the last pivot ") +
@@ -229,6 +284,11 @@ void settle(Ledger& ledger, const Proof& proof) {
     }
     ledger.answer = answerText(ledger, between);
     if (ledger.provedBy == ProvedBy::Nothing) ledger.answer += doubtOf(proof);
+    if (!proof.found || !proof.found->second) return;
+    const FollowingDecision& second = *proof.found->second;
+    ledger.inversions.push_back(second.inverse);
+    ledger.answer +=
+        " Then: " + describe(second.event) + " (" + toString(second.event.address) + ")";
 }
 
 }  // namespace

@@ -18,6 +18,12 @@ namespace se {
 /// inserted third point. Nothing where the event cannot be inverted or is no decision.
 std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision);
 
+/// A decision that its pivot makes once an earlier one is inverted.
+struct FollowingDecision {
+    Event event;
+    WhatIf inverse;
+};
+
 /// A decision that can be inverted.
 struct Invertible {
     std::size_t line;  ///< Position in Ledger::lines.
@@ -26,6 +32,8 @@ struct Invertible {
     Index listed = kNone;
     /// The pivot itself already changes the answer with the inversion.
     bool showsAtOnce = false;
+    /// A second decision that is inverted with it.
+    std::optional<FollowingDecision> second = {};
 };
 
 /// The number of decisions of an answer that may be inverted.
@@ -59,6 +67,7 @@ struct Proof {
     std::optional<Invertible> found = {};
     Effect effect = Effect::None;  ///< Of `found`.
     std::size_t tried = 0;         ///< Inversions that were run, this one among them.
+    std::size_t pairs = 0;         ///< Those of two decisions.
     bool complete = true;          ///< Not one was left out for the limits.
     std::uint64_t left = 0;        ///< Steps of the limits that were not made.
 };
@@ -90,8 +99,9 @@ struct RunLength {
 
 /// Runs the inversions of `all` to their ends: those that show at once first, then that of the
 /// cause, of a present subject those of the pivot of the cause, then the later ones; up to the
-/// first that changes the answer. Where none does, the first that replaces a failure is taken.
-/// Fails if cancelled.
+/// first that changes the answer. Where none does, the first that replaces a failure is taken. An
+/// absent subject may come in by two inversions of one pivot, which are tried last. Fails if
+/// cancelled.
 Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
                     const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
                     const ProofLimits& limits, const Progress& progress);

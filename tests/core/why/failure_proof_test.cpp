@@ -49,7 +49,7 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
     const Ledger& ledger = answer.value();
     CAPTURE(ledger.answer);
     REQUIRE(ledger.cause < ledger.lines.size());
-    CHECK(ledger.inverse.has_value() == (ledger.provedBy == ProvedBy::Inversion));
+    CHECK(!ledger.inversions.empty() == (ledger.provedBy == ProvedBy::Inversion));
     if (ledger.preventedBy != nullptr) {
         Params with = params;
         ledger.preventedBy->turnOn(with);
@@ -60,9 +60,9 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
                                           ? "and leaves a sound mesh."
                                           : "faults at " + counted(verdict.places, "place") + "."));
     }
-    if (!ledger.inverse || isLostPoint(failure.failure)) return ledger;
+    if (ledger.inversions.empty() || isLostPoint(failure.failure)) return ledger;
     Params inverted = params;
-    inverted.whatIf.push_back(*ledger.inverse);
+    inverted.whatIf.push_back(ledger.inversions.front());
     const RunFailureSearch after = failuresIn(points, inverted);
     CHECK_FALSE(has(after.all, failure.failure));
     const bool replaced =

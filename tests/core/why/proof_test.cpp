@@ -28,12 +28,12 @@ Ledger proved(const PointSet& points, const Params& params, const Subject& subje
 bool isProved(const PointSet& points, const Params& params, const Subject& subject) {
     const Ledger ledger = proved(points, params, subject);
     if (ledger.provedBy != ProvedBy::Inversion) return false;
-    REQUIRE(ledger.inverse);
+    REQUIRE_FALSE(ledger.inversions.empty());
     CAPTURE(ledger.answer);
-    CAPTURE(lineOf(*ledger.inverse));
+    CAPTURE(lineOf(ledger.inversions.back()));
     CHECK(ledger.answer.find(" would ") != std::string::npos);
     Params inverted = params;
-    inverted.whatIf.push_back(*ledger.inverse);
+    for (const WhatIf& each : ledger.inversions) inverted.whatIf.push_back(each);
     CHECK(hasSubject(runAll(points, params).state.mesh(), subject) == ledger.present);
     CHECK(hasSubject(runAll(points, inverted).state.mesh(), subject) != ledger.present);
     return true;
@@ -109,7 +109,7 @@ TEST_CASE("proof: a copy is proved by preparation, without an inversion") {
     const PointSet points = prepared(file);
     const Ledger ledger = proved(points, paper(), Subject::point(100));
     CHECK(ledger.provedBy == ProvedBy::Preparation);
-    CHECK_FALSE(ledger.inverse);
+    CHECK(ledger.inversions.empty());
     CHECK(ledger.answer.find("inver") == std::string::npos);
 }
 

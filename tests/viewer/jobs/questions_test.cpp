@@ -96,7 +96,7 @@ TEST_CASE("The answer about an edge and a triangle is that of the library, with 
         REQUIRE(ledger != nullptr);
         const Ledger expected = expectedOf(model, toSubject(what));
         CHECK(ledger->answer == expected.answer);
-        CHECK(ledger->inverse == expected.inverse);
+        CHECK(ledger->inversions == expected.inversions);
     }
 }
 

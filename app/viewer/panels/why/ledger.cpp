@@ -63,13 +63,16 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
     ImGui::Spacing();
     paragraph(context, withShortNumbers(ledger.answer));
     if (context.session().questions().isProving()) dimText("Looking for a proof ...");
-    if (ledger.inverse) {
-        dimText("Inverted: " + lineOf(*ledger.inverse));
+    if (!ledger.inversions.empty()) {
+        RunSpec inverted = context.session().input().rules();
+        for (const WhatIf& each : ledger.inversions) {
+            dimText("Inverted: " + lineOf(each));
+            inverted = withWhatIf(inverted, each);
+        }
         ImGui::SameLine();
         if (smallButton(context, "Invert", "ledger invert",
-                        "Run again with this decision inverted, as a what-if"))
-            return context.document().rerun(
-                withWhatIf(context.session().input().rules(), *ledger.inverse));
+                        "Run again with what is said here inverted, as a what-if"))
+            return context.document().rerun(inverted);
     }
     if (const RuleSetting* rule = ledger.preventedBy) {
         if (smallButton(context, "Switch on " + std::string(rule->name), "ledger rule",
