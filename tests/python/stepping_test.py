@@ -166,7 +166,7 @@ def test_found_decisions_and_reasons_are_those_of_the_command_line(answer):
     ours = run.why(point=32)
     theirs = answer("why", "scene:stranded-point", "--point", 32)
     assert ours.sentence == theirs["answer"] and ours.cause == theirs["cause"]
-    assert [ours.what_if] == theirs["what_if"] and ours.proved_by == theirs["proved_by"]
+    assert ours.what_if == theirs["what_if"] and ours.proved_by == theirs["proved_by"]
     assert ours.rule == theirs["rule"]
     with pytest.raises(ValueError, match="expected one of"):
         run.why(point=1, edge=(1, 2))

@@ -174,14 +174,14 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
             return provedWhy(*run->points, params, subject, limits, progress);
         }));
-    std::optional<std::string> inverse;
-    if (ledger.inverse) inverse = lineOf(*ledger.inverse);
+    std::vector<std::string> inversions;
+    for (const WhatIf& each : ledger.inversions) inversions.push_back(lineOf(each));
     std::optional<std::string> rule;
     if (ledger.preventedBy != nullptr)
         rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
     return record("Answer", ledger.name, ledger.present, ledger.answer,
                   toString(ledger.lines[ledger.cause].event.address),
-                  textOf(provedByName(ledger.provedBy)), inverse, rule, lineList(ledger.lines));
+                  textOf(provedByName(ledger.provedBy)), inversions, rule, lineList(ledger.lines));
 }
 
 /// Names in the order of Phase: those of their stages where they have one.

@@ -102,6 +102,33 @@ TEST_CASE("proof: the tests that made way for a triangle are lines of its ledger
     }
 }
 
+TEST_CASE("proof: an edge that no inversion brings in may come in by two of one pivot") {
+    std::size_t found = 0;
+    for (const char* id : {"noise", "torus"}) {
+        const PointSet points = prepared(findScene(id)->build());
+        const std::vector<Triangle> mesh = runAll(points, paper()).state.mesh();
+        for (Index p = 0; p < points.size() && found < 3; p += 5) {
+            const auto list = points.neighbors[p];
+            const auto q = std::find_if(list.begin(), list.end(), [&](Index x) {
+                return !hasSubject(mesh, Subject::edge(p, x));
+            });
+            if (q == list.end()) continue;
+            const Subject subject = Subject::edge(p, *q);
+            const Ledger ledger = proved(points, paper(), subject);
+            if (ledger.inversions.size() < 2) continue;
+            ++found;
+            CHECK(isProved(points, paper(), subject));
+            CHECK(ledger.answer.find("two decisions inverted") != std::string::npos);
+            CHECK(ledger.answer.find(" Then: ") != std::string::npos);
+            CHECK(ledger.inversions[0].pivot == ledger.inversions[1].pivot);
+            Params alone = paper();
+            alone.whatIf.push_back(ledger.inversions.front());
+            CHECK_FALSE(hasSubject(runAll(points, alone).state.mesh(), subject));
+        }
+    }
+    CHECK(found > 0);
+}
+
 TEST_CASE("proof: a copy is proved by preparation, without an inversion") {
     PointFile file = fibonacciSphere(100);
     file.position.push_back(file.position[7]);
