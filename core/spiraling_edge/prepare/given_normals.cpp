@@ -188,8 +188,24 @@ void contradictions(const GivenNormals& given, Index p, std::vector<Index>& oppo
     opposing.erase(std::remove_if(opposing.begin(), opposing.end(), goesOn), opposing.end());
 }
 
-/// Number of contradictions of two sheets, by their least points.
-using Conflicts = std::map<std::pair<Index, Index>, std::size_t>;
+/// True if two points of a sheet lie in one plane nearly: no bend, and no part that is thin.
+bool areFlat(const GivenNormals& given, Index p, Index q) {
+    constexpr double kFlat = 0.17;  // 10 degrees
+    constexpr double kParallel = 0.95;
+    const Vec3 offset = given.position[q] - given.position[p];
+    const double reach = kFlat * glm::length(offset);
+    return std::abs(glm::dot(offset, given.normal[p])) <= reach &&
+           std::abs(glm::dot(offset, given.normal[q])) <= reach &&
+           std::abs(glm::dot(given.normal[p], given.normal[q])) >= kParallel;
+}
+
+/// Number of contradictions of two sheets, and of those in one plane.
+struct Conflict {
+    std::size_t pairs = 0;
+    std::size_t flat = 0;
+};
+/// By the least points of the sheets.
+using Conflicts = std::map<std::pair<Index, Index>, Conflict>;
 
 Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
     Conflicts conflicts;
@@ -199,20 +215,25 @@ Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
         contradictions(given, p, opposing);
         for (const Index q : opposing) {
             const std::pair<Index, Index> pair = std::minmax({sheets.find(p), sheets.find(q)});
-            if (pair.first != pair.second) ++conflicts[pair];
+            if (pair.first == pair.second) continue;
+            Conflict& conflict = conflicts[pair];
+            ++conflict.pairs;
+            conflict.flat += areFlat(given, p, q) ? 1U : 0U;
         }
     }
     return conflicts;
 }
 
-/// True if a patch of `patch` points with `pairs` contradictions must be flipped. Along a straight
+/// True if a patch of `patch` points with these contradictions must be flipped. Along a straight
 /// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps at
 /// least, even if half of it is the rim of the surface: 14 root m. A single flipped point
-/// contradicts in 12. Noise and thin parts contradict in places. Long strips have short rims, hence
-/// the bound above.
-bool isEvidence(std::size_t pairs, std::size_t patch) {
+/// contradicts in 12, beside the edge of a part in 5 of one plane. Noise and thin parts contradict
+/// in places. Long strips have short rims, hence the bound above.
+bool isEvidence(const Conflict& conflict, std::size_t patch) {
+    constexpr std::size_t kBesideEdge = 5;
     const double wanted = std::clamp(4.0 * std::sqrt(static_cast<double>(patch)), 8.0, 40.0);
-    return static_cast<double>(pairs) >= wanted;
+    return static_cast<double>(conflict.pairs) >= wanted ||
+           (patch == 1 && conflict.flat >= kBesideEdge);
 }
 
 /// The sheets that contradict each other with evidence, in both directions.

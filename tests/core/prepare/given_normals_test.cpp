@@ -184,6 +184,24 @@ TEST_CASE("given normals: a patch that contradicts the rest is judged by its oth
     }
 }
 
+TEST_CASE("given normals: a single flipped one is found beside the edges of a part") {
+    constexpr Index n = 12;
+    const PointFile right = box(n, Vec3(1.0));
+    for (Index p = 0; p < n * n; ++p) {
+        // At a corner too few points lie in the same face.
+        const Index column = p % n;
+        const Index row = p / n;
+        const bool isAtEdge = (column == 0) != (row == 0) && column < n - 1 && row < n - 1;
+        if (!isAtEdge && p != 5 * n + 4) continue;
+        CAPTURE(p);
+        PointFile file = right;
+        file.normal[p] = -file.normal[p];
+        const MeshJudge judge = judgeOf(file);
+        CHECK(judge.facts.flippedNormals == 1);
+        CHECK(judge.points.normal[p] == right.normal[p]);
+    }
+}
+
 TEST_CASE("given normals: the order of the points and the number of threads change nothing") {
     const PointFile file = tilted(box(16, Vec3(1.0, 1.0, 0.3)), 15.0);
     PointFile reversed = file;
