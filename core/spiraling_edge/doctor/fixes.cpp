@@ -46,13 +46,13 @@ class FixApplication {
     }
 
     void markUnfit() {
-        unusable_ = unusablePoints(file_.position);
+        placed_ = placedPoints(file_.position, file_.farValues);
         // The copies go, and what they say with them.
-        if (file_.hasNormals()) averageOverCopies(file_.position, file_.normal);
+        averageOverCopies(placed_, file_.normal);
         std::array<std::size_t, kAsides> count{};
-        for (std::size_t p = 0; p < unusable_.size(); ++p) {
-            keep_[p] = unusable_[p] == Aside::No;
-            ++count[static_cast<std::size_t>(unusable_[p])];
+        for (std::size_t p = 0; p < keep_.size(); ++p) {
+            keep_[p] = placed_.aside[p] == Aside::No;
+            ++count[static_cast<std::size_t>(placed_.aside[p])];
         }
         const auto of = [&](Aside reason) { return count[static_cast<std::size_t>(reason)]; };
         note("non_finite", of(Aside::NotFinite),
@@ -168,7 +168,7 @@ class FixApplication {
 
     void moveFaces() {
         if (file_.faces.empty()) return;
-        const std::vector<Index> original = originalsOf(file_.position, unusable_);
+        const std::vector<Index>& original = placed_.original;
         const auto moved = [&](Index p) {
             return original[p] == kNone ? kNone : number_[original[p]];
         };
@@ -186,7 +186,7 @@ class FixApplication {
     PointFile file_;
     std::vector<AppliedFix> fixes_;
     std::vector<bool> keep_;
-    std::vector<Aside> unusable_;
+    PlacedPoints placed_;
     std::vector<Index> number_;  // empty if no point is dropped
 };
 

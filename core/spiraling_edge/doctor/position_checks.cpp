@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Index> unusableFor(Aside reason, const ExaminedFile& examined) {
     return pointsWhere(examined.size(),
-                       [&](Index p) { return examined.intake.unusable[p] == reason; });
+                       [&](Index p) { return examined.intake.placed.aside[p] == reason; });
 }
 
 }  // namespace
@@ -37,7 +37,9 @@ std::optional<Finding> findSentinels(const ExaminedFile& examined) {
     if (points.empty()) return std::nullopt;
     const Vec3& first = examined.file.position[points.front()];
     // In full, so that it can be searched for in the file.
-    std::string text = "far off all others, as where a missing value was written: the first is at ";
+    std::string text =
+        "far off all others, as where a missing value was written (--keep-sentinels: places like "
+        "all others); the first is at ";
     for (Vec3::length_type axis = 0; axis < 3; ++axis) {
         text += axis == 0 ? "(" : ", ";
         appendPlainNumber(text, first[axis]);

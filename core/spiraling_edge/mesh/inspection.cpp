@@ -94,7 +94,7 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     }
     if (lost.empty()) return lost;
     const std::vector<Aside> unusable =
-        input.aside.empty() ? unusablePoints(input.position) : input.aside;
+        input.aside.empty() ? placedPoints(input.position).aside : input.aside;
     const auto isPlaneless = [&](Index p) {
         return !input.normal.empty() && !hasDirection(input.normal[p]);
     };

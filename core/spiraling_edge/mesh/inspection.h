@@ -78,7 +78,8 @@ struct MeshInspection {
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::uint64_t work = 0;          ///< FaultSearch::work.
     double meanEdge = 0.0;  ///< Mean length of the edges, scene units; 0 without triangles.
-    std::size_t twins = 0;  ///< Points in no triangle that are not lost: MeshJudge::twin.
+    std::size_t twins =
+        0;  ///< Points in no triangle that are not lost: beside a twin, or along a line.
     MeshReport report;
 };
 /// True if every failure is listed and the search was complete.
@@ -94,7 +95,7 @@ bool isSound(std::span<const ClassTotal> totals, std::size_t triangles);
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is an opening.
 /// With PointSet::judge, that counts instead of the points. Neighbor lists are not used; points
-/// that were set aside (PointSet::aside, unusablePoints()) may be in no triangle. Requires corners
+/// that were set aside (PointSet::aside, placedPoints()) may be in no triangle. Requires corners
 /// below points.size() and finite positions of used points. Self-intersections are exact; the
 /// search for pairs has the limits of searchFaults(), and the first kMaxListed are listed.
 /// Deterministic, on all cores. About O(t log t).

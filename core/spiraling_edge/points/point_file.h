@@ -38,6 +38,12 @@ struct ColumnReading {
     std::string reason;  ///< The evidence, in words; empty for x, y and z alone.
 };
 
+/// The meaning of coordinates far off all others (sentinels.h).
+enum class FarValues : std::uint8_t {
+    Missing,  ///< Where a value was missing: those points are set aside.
+    Real,     ///< Places, like all others.
+};
+
 /// The unmodified content of a point file: nothing repaired, nothing normalized, nothing dropped.
 /// `prepare.h` turns it into a PointSet that the stepper accepts.
 struct PointFile {
@@ -54,6 +60,7 @@ struct PointFile {
     ColumnReading columns;
     /// Place of the sensor, if the file names one: the side of open sheets is known by it.
     std::optional<Vec3> viewpoint;
+    FarValues farValues = FarValues::Missing;  ///< At the user's word.
     /// Sentences without a period on what was read in a way of its own, or left out: "line 1 is the
     /// number of points".
     std::vector<std::string> notes;

@@ -7,8 +7,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "spiraling_edge/points/shared_value.h"
+
 namespace se {
 namespace {
+
+constexpr double kHuge = 1e30;  ///< No coordinate is so great.
 
 /// The middle of the values of an axis, and how far they reach.
 struct ValueRange {
@@ -36,7 +40,61 @@ ValueRange valueRangeOf(std::vector<double>& values) {
     return {low + 0.5 * (high - low), high - low};
 }
 
-/// Marks points with a coordinate far off.
+/// True for 10,000, 100,000 and so on, which planes of a scene may have too.
+bool isRound(double value) {
+    const double size = std::abs(value);
+    return size < kHuge && size == std::pow(10.0, std::round(std::log10(size)));
+}
+
+/// True for values that only a file without a value has: 999, 9999 and so on, -32768, any from
+/// 1e30.
+bool isNeverMeasured(double value) {
+    constexpr double kLeastOfTwo = -32768.0;
+    return isNamedSentinel(value) && !isRound(value) &&
+           (isRound(std::abs(value) + 1.0) || value == kLeastOfTwo || value == kLeastOfTwo + 1.0 ||
+            std::abs(value) >= kHuge);
+}
+
+/// True if a value that the points share stands for a missing one.
+bool isMissing(std::span<const Vec3> position, const std::vector<Aside>& aside,
+               const SharedValue& shared, std::size_t used) {
+    constexpr double kApart = 0.25;  // Of the range of the others.
+    constexpr double kFarApart = 2.0;
+    constexpr std::size_t kFew = 8;  // Fewer need a wider gap.
+    const std::size_t count = shared.points.size();
+    const bool few = count < kSentinelLimits.copies || 2 * count > used;
+    // A level plane beside another one is none.
+    if (few || !(shared.range > 0.0) || shared.gap < kApart * shared.range) return false;
+    if (isNeverMeasured(shared.value)) return true;
+    if (!isApart(position, aside, shared)) return false;
+    // As a camera has no depth.
+    if (shared.value == 0.0 && arePixels(position, aside, shared)) return true;
+    constexpr double kMostScattered = 0.3;  // A floor has more.
+    const bool mayScatter =
+        static_cast<double>(count) <= kMostScattered * static_cast<double>(used) &&
+        (count >= kFew || isNamedSentinel(shared.value) || shared.gap > shared.range);
+    if (mayScatter && isScattered(position, aside, shared)) return true;
+    return shared.gap > kFarApart * shared.range && isRaster(position, aside, shared);
+}
+
+/// Marks points with a coordinate that stands for a missing value along one axis, below or above
+/// all others.
+void markSharedValues(std::span<const Vec3> position, std::size_t used, std::vector<Aside>& aside) {
+    constexpr int kMost = 3;  // Different ones, each on the far side of the next.
+    for (Vec3::length_type axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            for (int found = 0; found < kMost; ++found) {
+                const auto shared = sharedValueOf(position, aside, axis, sign);
+                if (!shared || !isMissing(position, aside, *shared, used)) break;
+                for (Index p = 0; p < position.size(); ++p) {
+                    if (position[p][axis] == shared->value) aside[p] = Aside::Sentinel;
+                }
+            }
+        }
+    }
+}
+
+/// Marks points with a coordinate far off; not those of a round value that several share.
 void markFarValues(std::span<const Vec3> position, std::vector<Aside>& aside) {
     constexpr std::size_t kSampled = 4096;
     const std::size_t step = std::max<std::size_t>(1, position.size() / kSampled);
@@ -59,7 +117,7 @@ void markFarValues(std::span<const Vec3> position, std::vector<Aside>& aside) {
         for (Vec3::length_type axis = 0; axis < 3; ++axis) {
             const double value = position[p][axis];
             const double off = std::abs(value - ranges[static_cast<std::size_t>(axis)].middle);
-            if (isNamedSentinel(value) && off > kSentinelLimits.farNamed * span)
+            if (isNamedSentinel(value) && !isRound(value) && off > kSentinelLimits.farNamed * span)
                 aside[p] = Aside::Sentinel;
             isFar = isFar || off > kSentinelLimits.far * span;
         }
@@ -126,12 +184,11 @@ std::vector<Index> sharedPlaces(std::span<const Vec3> position, const std::vecto
 }  // namespace
 
 bool isNamedSentinel(double value) {
-    constexpr double kLeastOfTen = 1e4;
+    constexpr double kLeastOfTen = 1e3;
     constexpr double kLeastOfTwo = 32768.0;
     const double size = std::abs(value);
-    constexpr double kHuge = 1e30;
     if (size >= kHuge) return true;
-    if (!(size >= kLeastOfTen - 1.0)) return false;
+    if (!(size >= kLeastOfTen - 1.0) || size == kLeastOfTen) return false;
     for (const double power : {size, size + 1.0}) {
         int exponent = 0;
         if (power >= kLeastOfTwo && std::frexp(power, &exponent) == 0.5) return true;
@@ -146,6 +203,7 @@ void markSentinels(std::span<const Vec3> position, std::span<const Index> origin
     const auto used = static_cast<std::size_t>(std::count(aside.begin(), aside.end(), Aside::No));
     if (used < kSentinelLimits.leastPoints) return;
     markFarValues(position, aside);
+    markSharedValues(position, used, aside);
     std::vector<Index> far;
     for (const Index p : sharedPlaces(position, aside, original)) {
         if (isFarPlace(position, aside, p)) far.push_back(p);

@@ -108,14 +108,21 @@ std::vector<Index> firstAt(std::span<const Vec3> position) {
 
 }  // namespace
 
-std::vector<Aside> unusablePoints(std::span<const Vec3> position) {
-    std::vector<Aside> aside(position.size(), Aside::No);
-    const std::vector<Index> first = firstAt(position);
+bool PlacedPoints::haveCopies() const {
+    return std::find(aside.begin(), aside.end(), Aside::Copy) != aside.end();
+}
+
+PlacedPoints placedPoints(std::span<const Vec3> position, FarValues farValues) {
+    PlacedPoints placed{std::vector<Aside>(position.size(), Aside::No), firstAt(position)};
+    auto& [aside, original] = placed;
     for (Index p = 0; p < position.size(); ++p) {
-        if (first[p] != p) aside[p] = first[p] == kNone ? Aside::NotFinite : Aside::Copy;
+        if (original[p] != p) aside[p] = original[p] == kNone ? Aside::NotFinite : Aside::Copy;
     }
-    markSentinels(position, first, aside);
-    return aside;
+    if (farValues == FarValues::Missing) markSentinels(position, original, aside);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (aside[p] == Aside::Sentinel) original[p] = kNone;
+    }
+    return placed;
 }
 
 std::size_t countPlaces(std::span<const Vec3> position) {
@@ -123,15 +130,6 @@ std::size_t countPlaces(std::span<const Vec3> position) {
     std::size_t places = 0;
     for (Index p = 0; p < position.size(); ++p) places += first[p] == p ? 1 : 0;
     return places;
-}
-
-std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Aside> aside) {
-    std::vector<Index> original(position.size(), kNone);
-    PositionTable seen(position);
-    for (Index p = 0; p < position.size(); ++p) {
-        if (aside[p] == Aside::No || aside[p] == Aside::Copy) original[p] = seen.add(p);
-    }
-    return original;
 }
 
 bool scaleToUnit(Vec3& normal) {

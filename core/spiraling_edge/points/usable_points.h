@@ -26,19 +26,22 @@ std::span<const AsideWords> asideReasons();
 /// it is a copy of point 2." Requires one that was.
 std::string asideText(const PointSet& points, Index p);
 
-/// The points that no run can use, by positions alone: not finite, copies, sentinels
-/// (markSentinels()). O(points).
-std::vector<Aside> unusablePoints(std::span<const Vec3> position);
-/// True for the reasons of unusablePoints().
+/// The points that no run can use, by positions alone.
+struct PlacedPoints {
+    std::vector<Aside> aside;  ///< NotFinite, Copy, Sentinel (markSentinels()), or No.
+    /// For each point the first at its position; kNone if that is not finite, or a sentinel's.
+    std::vector<Index> original;
+
+    bool haveCopies() const;
+};
+/// Expected O(points).
+PlacedPoints placedPoints(std::span<const Vec3> position, FarValues farValues = FarValues::Missing);
+/// True for the reasons of placedPoints().
 inline bool isUnusable(Aside aside) {
     return aside == Aside::NotFinite || aside == Aside::Copy || aside == Aside::Sentinel;
 }
 /// Number of distinct finite positions. O(points).
 std::size_t countPlaces(std::span<const Vec3> position);
-
-/// For each point the first at its position; kNone if that is not finite, or a sentinel's. `aside`
-/// is the result of unusablePoints().
-std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Aside> aside);
 
 /// True if a normal has a direction: it is finite and not zero.
 inline bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }

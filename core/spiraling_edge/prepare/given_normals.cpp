@@ -13,7 +13,6 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
-#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/normals.h"
 
@@ -70,10 +69,8 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
     return normal;
 }
 
-std::size_t averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal) {
-    const std::vector<Aside> aside = unusablePoints(position);
-    if (std::find(aside.begin(), aside.end(), Aside::Copy) == aside.end()) return 0;
-    const std::vector<Index> original = originalsOf(position, aside);
+std::size_t averageOverCopies(const PlacedPoints& placed, std::vector<Vec3>& normal) {
+    const auto& [aside, original] = placed;
     std::map<Index, std::vector<Vec3>> directions;  // of points with copies, each direction once
     for (Index p = 0; p < normal.size(); ++p) {
         if (aside[p] != Aside::Copy) continue;
@@ -242,8 +239,8 @@ using OpposingSheets = std::map<Index, std::vector<Index>>;
 OpposingSheets findOpposingSheets(const GivenNormals& given, DisjointSets& sheets,
                                   const std::vector<std::size_t>& size) {
     OpposingSheets opposingSheets;
-    for (const auto& [pair, count] : conflictsBetween(given, sheets)) {
-        if (!isEvidence(count, std::min(size[pair.first], size[pair.second]))) continue;
+    for (const auto& [pair, conflict] : conflictsBetween(given, sheets)) {
+        if (!isEvidence(conflict, std::min(size[pair.first], size[pair.second]))) continue;
         opposingSheets[pair.first].push_back(pair.second);
         opposingSheets[pair.second].push_back(pair.first);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 
@@ -26,8 +27,8 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal);
 /// Gives each point that has copies the mean direction of its own normal and those of its copies
 /// that differ: in a mesh with hard edges, a corner has a vertex with a normal for each of its
 /// faces. Where they cancel out, its own stays. Returns the number of points whose normal became a
-/// mean. O(points).
-std::size_t averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal);
+/// mean; 0 without normals. O(points).
+std::size_t averageOverCopies(const PlacedPoints& placed, std::vector<Vec3>& normal);
 
 /// Thresholds of normalsFit(), measured on half of the shared sets and judged on the others
 /// (docs/doctor.md).

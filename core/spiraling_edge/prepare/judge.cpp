@@ -46,7 +46,7 @@ struct Surroundings {
 Status findSurroundings(const PointFile& file, const std::vector<bool>& without, unsigned threads,
                         const Progress& progress, Intake& intake) {
     intake.present.clear();
-    for (const Aside aside : intake.unusable) {
+    for (const Aside aside : intake.placed.aside) {
         const std::size_t p = intake.present.size();
         intake.present.push_back(aside == Aside::No && (without.empty() || !without[p]));
     }
@@ -67,9 +67,7 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
     }
     intake.normal = unitNormals(file.normal);
     std::vector<Vec3> normal = intake.normal;
-    const std::vector<Aside>& unusable = intake.unusable;
-    if (std::find(unusable.begin(), unusable.end(), Aside::Copy) != unusable.end())
-        averageOverCopies(file.position, normal);
+    averageOverCopies(intake.placed, normal);
     const GivenNormals given{file.position, normal, intake.present, intake.nearest};
     intake.fit = fitOf(given, threads);
     facts.normalsFit = normalsFit(intake.fit);
@@ -277,7 +275,7 @@ Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray
     std::vector<bool> noise(judge.points.size(), false);
     for (Index p = 0; p < noise.size(); ++p) noise[p] = judge.points.aside[p] == Aside::Noise;
     Intake kept;
-    kept.unusable = intake.unusable;
+    kept.placed = intake.placed;
     if (Status found = findSurroundings(file, noise, threads, {}, kept); !found) return found;
     measure(file, {kept.present, kept.nearest}, stray, judge);
     return success();
@@ -301,7 +299,7 @@ Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, cons
     if (const Status status = checkColumns(file); !status) return status.error();
     const unsigned threads = options.neighbors.threads;
     Intake intake;
-    intake.unusable = unusablePoints(file.position);
+    intake.placed = placedPoints(file.position, file.farValues);
     if (const Status found =
             findSurroundings(file, {}, threads, partOf(progress, 0.0, kListsDone), intake);
         !found)

@@ -15,11 +15,11 @@ namespace se {
 /// A file's points as they were taken in: what is known of them before any run, and the measures
 /// that it was found with.
 struct Intake {
-    std::vector<Aside> unusable;  ///< By positions alone.
-    std::vector<bool> present;    ///< The points that are usable.
-    NeighborLists nearest;        ///< The 12 nearest of these, with any normals.
-    std::vector<Vec3> normal;     ///< As given, scaled; zero without direction. Empty if none.
-    NormalFit fit;                ///< Of the given normals to the planes of the points.
+    PlacedPoints placed;        ///< By positions alone.
+    std::vector<bool> present;  ///< The points that are usable.
+    NeighborLists nearest;      ///< The 12 nearest of these, with any normals.
+    std::vector<Vec3> normal;   ///< As given, scaled; zero without direction. Empty if none.
+    NormalFit fit;              ///< Of the given normals to the planes of the points.
     std::shared_ptr<const MeshJudge> judge;  ///< With InputFacts.
 };
 /// Fails as prepare() does. Deterministic. O(points log points).

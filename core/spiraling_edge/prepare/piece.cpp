@@ -197,10 +197,12 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
 PointFile pieceOf(PointFile file, const Piece& piece) {
     if (!piece.isWhole()) {
         // Of several points at one place thinning keeps the first.
-        if (piece.thin > 0.0 && file.hasNormals()) averageOverCopies(file.position, file.normal);
+        if (piece.thin > 0.0 && file.hasNormals())
+            averageOverCopies(placedPoints(file.position), file.normal);
         const std::vector<bool> keep = pointsIn(file.position, piece);
         file = keptPoints(std::move(file), keep);
     }
+    file.farValues = piece.farValues;
     return piece.isScaled() ? scaled(std::move(file), piece.scale) : file;
 }
 

@@ -23,6 +23,7 @@ struct Piece {
     double thin = 0.0;
     /// Factors of x, y and z, each above 0; applied last.
     Vec3 scale{1.0};
+    FarValues farValues = FarValues::Missing;  ///< PointFile::farValues.
 
     /// True if it has all points of the file.
     bool isWhole() const { return !crop && thin == 0.0; }

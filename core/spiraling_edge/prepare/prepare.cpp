@@ -128,9 +128,9 @@ class Preparation {
     void setAsideUnusable() {
         set_.aside.assign(set_.size(), Aside::No);
         usable_.assign(set_.size(), true);
-        const std::vector<Aside> unusable = unusablePoints(set_.position);
+        placed_ = placedPoints(set_.position, file_.farValues);
         for (Index p = 0; p < set_.size(); ++p) {
-            if (unusable[p] != Aside::No) setAside(p, unusable[p]);
+            if (placed_.aside[p] != Aside::No) setAside(p, placed_.aside[p]);
         }
         for (const Index p : options_.leaveOut) {
             assert(p < usable_.size());
@@ -170,8 +170,7 @@ class Preparation {
             if (!all) return all.error();
             set_.normal = std::move(all.value());
         }
-        if (report_.count(Aside::Copy) > 0)
-            report_.averagedNormals = averageOverCopies(set_.position, set_.normal);
+        report_.averagedNormals = averageOverCopies(placed_, set_.normal);
         for (Index p = 0; p < set_.size(); ++p) {
             if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
                 ++report_.unscaledNormals;
@@ -390,6 +389,7 @@ class Preparation {
     Prepared prepared_;
     PointSet& set_ = prepared_.points;
     PrepareReport& report_ = prepared_.report;
+    PlacedPoints placed_;
     std::vector<bool> usable_;
     std::optional<NeighborLists> nearest_;  ///< Of all usable points, where no stray is among them.
     bool derives_ = false;                  ///< All normals are derived.

@@ -89,6 +89,13 @@ Status setScale(RunSpec& spec, std::string_view text) {
     return success();
 }
 
+Status setKeepSentinels(RunSpec& spec, std::string_view text) {
+    bool on = false;
+    const Status read = setSwitch(on, text);
+    spec.piece.farValues = on ? FarValues::Real : FarValues::Missing;
+    return read;
+}
+
 Status setLeftOut(RunSpec& spec, std::string_view text) {
     const auto ranges = rangesFromText(text);
     if (ranges) spec.leftOut = *ranges;
@@ -250,6 +257,12 @@ const std::array kFields{
         "three numbers > 0 separated by commas: X,Y,Z", "scaled by {}", "not scaled",
         SpecGroup::Reading, SpecType::Numbers, false, "", setScale,
         [](const RunSpec& s) { return listIf(s.piece.isScaled(), plainNumbers({s.piece.scale})); }},
+    SpecField{"keep_sentinels", "--keep-sentinels", "", "on",
+              "Keep points far off all others where a missing value seems to be written, such as "
+              "9999 or 1e30",
+              "true or false", "far values kept", "far values set aside", SpecGroup::Reading,
+              SpecType::Switch, false, "", setKeepSentinels,
+              [](const RunSpec& s) { return listIf(s.piece.farValues == FarValues::Real, "on"); }},
     SpecField{"left_out", "", "", "", "", "ascending indices, such as \"3..9,40\"",
               "points left out", "no points left out", SpecGroup::Reading, SpecType::Word, false,
               "", setLeftOut,

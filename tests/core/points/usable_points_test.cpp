@@ -88,3 +88,120 @@ TEST_CASE("derived normals and types are stored with the points, given ones stay
     CHECK(stored.normalType == ScalarType::Double);
     CHECK(stored.type == derived.points.type);
 }
+
+// ---- missing values -----------------------------------------------------------------------------
+
+namespace {
+
+using Places = std::vector<Vec3>;
+
+/// Heights of a hilly raster of side x side places, 10 apart, from `low` over 80.
+Places raster(int side, double low) {
+    Places places;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i)
+            places.emplace_back(4e5 + 10.0 * i, 5e6 + 10.0 * j,
+                                low + 40.0 + 40.0 * std::sin(i / 7.0) * std::cos(j / 9.0));
+    }
+    return places;
+}
+
+/// One in twenty by chance.
+std::vector<Index> some(std::size_t count) {
+    Random random(3);
+    std::vector<Index> points;
+    for (Index p = 0; p < count; ++p) {
+        if (random.below(20) == 0) points.push_back(p);
+    }
+    return points;
+}
+
+std::vector<Index> sentinelsOf(const Places& places) {
+    const PlacedPoints placed = placedPoints(places);
+    std::vector<Index> points;
+    for (Index p = 0; p < places.size(); ++p) {
+        if (placed.aside[p] == Aside::Sentinel) points.push_back(p);
+    }
+    return points;
+}
+
+/// True if exactly the points with this height are found.
+bool isFound(Places places, const std::vector<Index>& points, double value, int axis = 2) {
+    for (const Index p : points) places[p][axis] = value;
+    return sentinelsOf(places) == points;
+}
+
+}  // namespace
+
+TEST_CASE("missing values: a height that stands for none is found, whatever its number") {
+    const Places heights = raster(50, 500.0);
+    for (const double value : {-9999.0, -999.0, -32768.0, 0.0, -1.0, 255.0, 1e30, -88.88})
+        CHECK_MESSAGE(isFound(heights, some(heights.size()), value), value);
+    // A lake without values.
+    std::vector<Index> lake;
+    for (Index j = 20; j < 32; ++j) {
+        for (Index i = 10; i < 26; ++i) lake.push_back(50 * j + i);
+    }
+    for (const double value : {-9999.0, -999.0, 0.0, -1.0})
+        CHECK_MESSAGE(isFound(heights, lake, value), value);
+    // Two kinds in one file.
+    Places two = heights;
+    for (const Index p : some(two.size())) two[p].z = p % 2 == 0 ? -9999.0 : 0.0;
+    CHECK(sentinelsOf(two) == some(two.size()));
+}
+
+TEST_CASE("missing values: a depth that was not measured is found on closed shapes, on each axis") {
+    for (int axis = 0; axis < 3; ++axis) {
+        Places sphere = fibonacciSphere(900).position;
+        for (Vec3& x : sphere) x += 4.0;
+        for (const double value : {0.0, -1.0, -999.0, -32768.0, 10000.0})
+            CHECK_MESSAGE(isFound(sphere, some(sphere.size()), value, axis), value);
+        // Three points are enough.
+        for (const double value : {0.0, -1.0, -999.0})
+            CHECK_MESSAGE(isFound(sphere, {1, 301, 601}, value, axis), value);
+    }
+}
+
+TEST_CASE("missing values: planes of a scene are none, at any height and in any order") {
+    // A floor below a shape, after it and mixed with it.
+    for (const double height : {0.0, -1.0, -100.0, 10000.0}) {
+        Places scene = fibonacciSphere(900).position;
+        for (Vec3& x : scene) x = 10.0 * x + Vec3(0.0, 0.0, 40.0);
+        for (int i = 0; i < 900; ++i) scene.emplace_back(i % 30 - 15.0, i / 30 - 15.0, height);
+        CHECK_MESSAGE(sentinelsOf(scene).empty(), height);
+        Random random(5);
+        for (std::size_t p = scene.size(); p > 1; --p)
+            std::swap(scene[p - 1], scene[random.below(p)]);
+        CHECK_MESSAGE(sentinelsOf(scene).empty(), height);
+    }
+    // The ground about a house with a pitched roof, from above.
+    Places house = raster(40, 0.0);
+    for (std::size_t p = 0; p < house.size(); ++p) {
+        const int i = static_cast<int>(p % 40);
+        const bool roof = i >= 4 && i < 36 && p / 40 >= 4 && p / 40 < 36;
+        house[p].z = roof ? 3.0 + 0.1 * std::abs(i - 20) : 0.0;
+    }
+    CHECK(sentinelsOf(house).empty());
+    // The feet of a table, and plates over each other.
+    Places table;
+    for (int i = 0; i < 900; ++i) table.emplace_back(i % 30, i / 30, 20.0 + 0.01 * (i % 7));
+    for (int i = 0; i < 16; ++i)
+        table.emplace_back(29.0 * (i % 2) + 0.3 * (i / 8), 29.0 * (i / 2 % 2) + 0.3 * (i / 4 % 2),
+                           0.0);
+    CHECK(sentinelsOf(table).empty());
+    Places plates;
+    for (const double height : {0.0, 10.0, 1000.0}) {
+        for (int i = 0; i < 400; ++i) plates.emplace_back(i % 20, i / 20, height);
+    }
+    CHECK(sentinelsOf(plates).empty());
+}
+
+TEST_CASE("missing values: at the user's word far values are places like all others") {
+    Places heights = raster(30, 500.0);
+    for (const Index p : some(heights.size())) heights[p].z = -9999.0;
+    heights.push_back(heights[some(900).front()]);
+    const PlacedPoints kept = placedPoints(heights, FarValues::Real);
+    CHECK(std::count(kept.aside.begin(), kept.aside.end(), Aside::No) == 900);
+    CHECK(kept.original.back() == some(900).front());
+    CHECK(placedPoints(heights).original.back() == kNone);
+}

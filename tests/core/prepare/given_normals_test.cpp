@@ -230,13 +230,13 @@ TEST_CASE(
     file.position.push_back(file.position[0]);
     file.normal.push_back(file.normal[0]);
     std::vector<Vec3> normal = file.normal;
-    CHECK(averageOverCopies(file.position, normal) == 8);
+    CHECK(averageOverCopies(placedPoints(file.position), normal) == 8);
     for (Index p = 0; p < 24; p += 3)
         CHECK(glm::distance(normal[p], glm::normalize(file.position[p])) < 1e-12);
     CHECK(normal[1] == file.normal[1]);
     // Two sides of a sheet cancel out: the first stays.
     std::vector<Vec3> sheet{Vec3(0, 0, 1), Vec3(0, 0, -1)};
-    CHECK(averageOverCopies(std::vector<Vec3>(2, Vec3(0.0)), sheet) == 0);
+    CHECK(averageOverCopies(placedPoints(std::vector<Vec3>(2, Vec3(0.0))), sheet) == 0);
     CHECK(sheet[0] == Vec3(0, 0, 1));
 }
 
