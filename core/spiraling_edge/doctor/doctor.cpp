@@ -142,6 +142,7 @@ constexpr std::array kConsequences{
                  {"near_duplicates", "isolated_points", "in_line", "twins", "lines",
                   "uneven_spacing", "noise", "two_layers", "ties", "unfit_normals",
                   "flipped_normals", "inside_out", "close_sheets"}},
+    Consequences{"lines", {"open_border"}},
     Consequences{"lost_digits", {"near_duplicates", "twins", "lines", "noise", "two_layers"}},
 };
 

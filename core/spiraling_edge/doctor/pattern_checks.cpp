@@ -7,6 +7,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/piece.h"
+#include "spiraling_edge/prepare/scan_lines.h"
 
 namespace se {
 namespace {
@@ -98,15 +99,13 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
     constexpr double kMost = 50.0;
     const double ratio = facts.across / facts.along;
     if (ratio < kLeast || ratio > kMost) return std::nullopt;
-    // Points of one line stay nearly as far apart as lines.
-    constexpr double kThinned = 0.9;
     Finding finding{nullptr,
                     Severity::Warning,
                     examined.presentCount,
                     {},
                     "the points lie in lines: " + shortNumber(facts.along) +
                         " apart along them, and " + shortNumber(facts.across) + " across"};
-    thin(examined, rounded(kThinned * facts.across), finding);
+    thin(examined, rounded(kThinnedLines * facts.across), finding);
     // All of a list lies along the line.
     finding.lines = alongLists(examined, examined.nearest());
     return finding;

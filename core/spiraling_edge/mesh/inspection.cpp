@@ -102,13 +102,36 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     return lost;
 }
 
-/// Removes points whose twin is in a triangle from the points in no triangle, and counts them.
+/// Removes points of lines from the points in no triangle, if one in a triangle is no farther than
+/// the lines are apart, and counts them.
+std::size_t dropAlongLines(const InspectedMesh& mesh, std::vector<Index>& lost) {
+    const InputFacts& facts = mesh.judge->facts;
+    if (facts.across == 0.0 || lost.empty()) return 0;
+    const std::vector<Vec3>& position = mesh.judge->points.position;
+    CellGrid grid(facts.low, facts.high, facts.across);
+    std::vector<Index> used;
+    for (Index p = 0; p < position.size(); ++p) {
+        if (!mesh.topology.used[p]) continue;
+        grid.add(position[p]);
+        used.push_back(p);
+    }
+    return std::erase_if(lost, [&](Index p) {
+        bool beside = false;
+        grid.near(position[p], [&](Index i) {
+            beside = beside || glm::distance(position[p], position[used[i]]) <= facts.across;
+        });
+        return beside;
+    });
+}
+
+/// Removes points whose twin is in a triangle from the points in no triangle, and those along
+/// lines, and counts them.
 std::size_t dropTwins(const InspectedMesh& mesh, std::vector<Index>& lost) {
     if (mesh.judge == nullptr) return 0;
-    return std::erase_if(lost, [&](Index p) {
-        const Index twin = mesh.judge->twinOf(p);
-        return twin != kNone && mesh.topology.used[twin];
-    });
+    return dropAlongLines(mesh, lost) + std::erase_if(lost, [&](Index p) {
+               const Index twin = mesh.judge->twinOf(p);
+               return twin != kNone && mesh.topology.used[twin];
+           });
 }
 
 /// The points by which a mesh of `input` is judged.

@@ -27,7 +27,8 @@ struct MeshVerdict {
     std::size_t lost = 0;
     std::size_t strays = 0;
     std::size_t noise = 0;
-    std::size_t twins = 0;           ///< Within a quarter spacing of a point in a triangle.
+    /// Beside a point in a triangle: a twin, or one of the same line.
+    std::size_t twins = 0;
     std::size_t pieces = 0;          ///< Of the mesh.
     std::size_t piecesOfPoints = 0;  ///< MeshJudge::pieces.
     /// Edges of holes: of loops that are faults, and of those where the points do not end.

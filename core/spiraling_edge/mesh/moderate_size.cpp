@@ -44,6 +44,11 @@ PointSet scaledBy(int power, PointSet points) {
     if (!points.judge) return points;
     MeshJudge judge = *points.judge;
     judge.points = scaledBy(power, std::move(judge.points));
+    InputFacts& facts = judge.facts;
+    for (Vec3* corner : {&facts.low, &facts.high}) {
+        for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = std::ldexp((*corner)[axis], power);
+    }
+    facts.across = std::ldexp(facts.across, power);
     for (double& spacing : judge.spacing) spacing = std::ldexp(spacing, power);
     for (double& reach : judge.reach) reach = std::ldexp(reach, power);
     points.judge = std::make_shared<const MeshJudge>(std::move(judge));

@@ -20,6 +20,7 @@
 #include "spiraling_edge/prepare/given_normals.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/prepare/scan_lines.h"
 #include "spiraling_edge/prepare/strays.h"
@@ -281,9 +282,26 @@ Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray
     return success();
 }
 
+/// The lists of points that lie in lines, of some that are as far apart as the lines: lists of all
+/// would end at each line.
+Status thinLines(const InputFacts& facts, unsigned threads, PointSet& points) {
+    std::vector<bool> usable = pointsIn(points.position, {{}, kThinnedLines * facts.across});
+    for (Index p = 0; p < usable.size(); ++p) usable[p] = usable[p] && !points.isAside(p);
+    NeighborOptions options;
+    options.threads = threads;
+    Result<NeighborLists> lists = findNeighbors(points.position, points.normal, usable, options);
+    if (!lists) return lists.error();
+    points.neighbors = std::move(lists.value());
+    return success();
+}
+
 /// Finds where the surface of the points ends. Their lists are not needed any more then.
 Status findOpenings(unsigned threads, const Progress& progress, MeshJudge& judge) {
     PointSet& points = judge.points;
+    if (judge.facts.across > 0.0) {
+        if (const Status thinned = thinLines(judge.facts, threads, points); !thinned)
+            return thinned.error();
+    }
     Result<Rim> rim =
         findRim(points.position, points.normal, points.neighbors, points.type, threads, progress);
     if (!rim) return rim.error();

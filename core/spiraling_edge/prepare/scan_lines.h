@@ -15,6 +15,10 @@ struct ScanLines {
     double across = 0.0;  ///< To the nearest that is more across than along its line.
 };
 
+/// Points of one line that are this many distances of lines apart stand as lines do: then lists of
+/// the nearest reach from line to line.
+inline constexpr double kThinnedLines = 0.9;
+
 /// Lines of points; nothing where the points do not lie in lines: the eight nearest reach
 /// over four times as far along one axis as across, in the median over places. `nearest`: the 12
 /// nearest of each point; `present` is false for points to leave out. O(points).

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "spiraling_edge/prepare/judge.h"
@@ -209,6 +210,28 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
     CHECK_FALSE(dropped->leaveOut.empty());
     CHECK(dropped->verdict.usedPoints + dropped->leaveOut.size() <= file.position.size());
     CHECK(dropped->verdict.points == file.position.size());
+}
+
+TEST_CASE("trials: lines of a scanner are thinned, and no point between those that stay is lost") {
+    // Points of a cylinder in rings, ten times as near along them.
+    PointFile file;
+    for (int ring = 0; ring < 16; ++ring) {
+        for (int i = 0; i < 320; ++i) {
+            const double a = 2.0 * std::numbers::pi * (i + 0.37 * ring) / 320.0;
+            file.normal.emplace_back(std::cos(a), std::sin(a), 0.0);
+            file.position.push_back(file.normal.back() + Vec3(0.0, 0.0, 0.2 * ring));
+        }
+    }
+    const Trials trials = triedOn(file);
+    REQUIRE(trials.best > 0);
+    const Trial& best = trials.tried[trials.best];
+    CHECK(textOf(best.change, "doctor") == "lines");
+    CHECK(best.verdict.isSound());
+    CHECK(best.verdict.lost == 0);
+    CHECK(best.verdict.openings == 2);
+    CHECK(best.verdict.closed == 0);
+    CHECK(best.verdict.twins == best.leaveOut.size());
+    CHECK(best.verdict.fidelity.greatestDistance < 0.05);
 }
 
 TEST_CASE("trials: given normals that fit and agree are never turned, nor others derived") {
