@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "input.h"
 #include "options.h"
@@ -41,7 +42,8 @@ struct DoctorArguments {
             ->needs(fix);
         force.addTo(app, ", or where fewer than half of the distinct points would be left");
         app.add_flag("--try", tryMany,
-                     fmt::format("Try the commands that are named on more than {} points, too",
+                     fmt::format("Try all commands that are named, also on more than {} points or "
+                                 "where it takes long",
                                  kManyForFixes));
         app.add_flag("--json", json, "As JSON, with all indices");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
@@ -99,8 +101,11 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
 void tryCommands(const DoctorArguments& arguments, const PointFile& file, ProgressLine& line,
                  Diagnosis& diagnosis) {
     if (arguments.quiet || (file.position.size() > kManyForFixes && !arguments.tryMany)) return;
-    runWithProgress("trying fixes on", arguments.input.input(), line,
-                    [&](const Progress& progress) { return tryFixes(file, diagnosis, progress); });
+    const std::uint64_t work =
+        arguments.tryMany ? std::numeric_limits<std::uint64_t>::max() : kWorkOfFixes;
+    runWithProgress(
+        "trying fixes on", arguments.input.input(), line,
+        [&](const Progress& progress) { return tryFixes(file, diagnosis, progress, work); });
 }
 
 std::string placesText(const std::vector<Index>& points) {
@@ -171,6 +176,14 @@ void addFixed(const Visit& visit, Answer& answer) {
                             {"findings", findingsAnswer(visit.left, shellPath(visit.output)).json}};
 }
 
+/// What is said of commands that were not tried.
+std::string untriedText(const Diagnosis& diagnosis) {
+    const auto isUntried = [](const Finding& each) { return each.hasRemedy() && !each.tried; };
+    const auto& findings = diagnosis.findings;
+    if (std::none_of(findings.begin(), findings.end(), isUntried)) return {};
+    return "  not tried: commands whose runs would take long together; --try tries them, too\n";
+}
+
 Answer visitAnswer(const Visit& visit) {
     const std::size_t count = visit.findings.findings.size();
     const InputFacts& facts = visit.findings.facts;
@@ -189,6 +202,7 @@ Answer visitAnswer(const Visit& visit) {
                    {"fixed", Json()}}};
     if (!kept.empty()) answer.text += "  kept     " + kept + "\n";
     answer.text += found.text;
+    if (visit.output.empty()) answer.text += untriedText(visit.findings);
     if (!visit.output.empty()) addFixed(visit, answer);
     return answer;
 }

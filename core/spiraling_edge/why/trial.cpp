@@ -355,11 +355,8 @@ std::string noneBetterText(const Trials& trials) {
            (changes == 1 ? " change" : " changes") + " tried.";
 }
 
-Result<MeshVerdict> verdictOfRun(const PointFile& file, const RunSpec& spec,
-                                 const Progress& progress) {
-    Result<Trial> trial = TrialRuns(file, spec, progress).run({}, 0.0, 1.0);
-    if (!trial) return trial.error();
-    return std::move(trial.value().verdict);
+Result<Trial> trialOfRun(const PointFile& file, const RunSpec& spec, const Progress& progress) {
+    return TrialRuns(file, spec, progress).run({}, 0.0, 1.0);
 }
 
 Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,

@@ -60,9 +60,8 @@ std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b);
 /// "No better settings among 5 changes tried." Requires a trial.
 std::string noneBetterText(const Trials& trials);
 
-/// The verdict on the mesh of `file` by these settings. Fails as tryChanges() does.
-Result<MeshVerdict> verdictOfRun(const PointFile& file, const RunSpec& spec,
-                                 const Progress& progress = {});
+/// The trial of `file` by these settings, without a change. Fails as tryChanges() does.
+Result<Trial> trialOfRun(const PointFile& file, const RunSpec& spec, const Progress& progress = {});
 
 /// Runs `file` with the settings `present` and with changes of them, a fixed list in a fixed order:
 /// sets of rules, normals (oriented where given ones fit but contradict each other, derived where

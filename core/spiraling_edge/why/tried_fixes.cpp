@@ -19,6 +19,14 @@ std::string endOf(const MeshVerdict& verdict) {
     return "faults at " + counted(verdict.places, "place");
 }
 
+/// The cost of a trial, in the unit of kWorkOfFixes.
+std::uint64_t costOf(const Trial& trial) {
+    constexpr std::uint64_t kMostFaults = 4;  // A point; more take no longer.
+    const std::uint64_t points = trial.verdict.points;
+    return std::max(trial.work, points) +
+           std::min<std::uint64_t>(faultCount(trial.verdict.totals), kMostFaults * points);
+}
+
 /// The meshes of one file, by `paper` and by `robust`.
 struct BothMeshes {
     MeshVerdict paper;
@@ -28,12 +36,14 @@ struct BothMeshes {
 /// The fixes of one file.
 class FixTrials {
   public:
-    FixTrials(const PointFile& file, const Progress& progress) : file_(file), progress_(progress) {}
+    FixTrials(const PointFile& file, std::uint64_t work, const Progress& progress)
+        : file_(file), work_(work), progress_(progress) {}
 
     /// The number of steps of progress that follow.
     void expect(std::size_t steps) { steps_ = std::max<std::size_t>(steps, 1); }
 
-    Result<TriedFix> tried(const Finding& finding) {
+    /// Nothing where that would take too much work.
+    Result<std::optional<TriedFix>> tried(const Finding& finding) {
         if (finding.scale) return triedOn(scaled(file_, *finding.scale), {});
         switch (finding.check->fix) {
             case Fix::None:
@@ -75,9 +85,12 @@ class FixTrials {
     }
 
     Result<MeshVerdict> meshOf(const PointFile& file, const SpecChange& change,
-                               std::string_view rules, const Progress& progress) const {
+                               std::string_view rules, const Progress& progress) {
         RunSpec spec = changed({}, specChange({{"rules", rules}}));
-        return verdictOfRun(file, changed(std::move(spec), change), progress);
+        Result<Trial> trial = trialOfRun(file, changed(std::move(spec), change), progress);
+        if (!trial) return trial.error();
+        spent_ += costOf(trial.value());
+        return std::move(trial.value().verdict);
     }
     Result<BothMeshes> meshesOf(const PointFile& file, const SpecChange& change) {
         const Progress progress = nextStep();
@@ -88,7 +101,8 @@ class FixTrials {
         return BothMeshes{std::move(paper.value()), std::move(robust.value())};
     }
 
-    Result<TriedFix> triedOn(const PointFile& file, const SpecChange& change) {
+    Result<std::optional<TriedFix>> triedOn(const PointFile& file, const SpecChange& change) {
+        if (spent_ > work_) return std::optional<TriedFix>{};
         if (!before_) {
             Result<BothMeshes> made = meshesOf(file_, {});
             if (!made) return made.error();
@@ -114,35 +128,48 @@ class FixTrials {
         };
         compare("paper", after.value().paper, before_->paper);
         compare("robust", after.value().robust, before_->robust);
-        tried.helps = helps && !harms;
-        return tried;
+        const auto anySound = [](const BothMeshes& meshes) {
+            return meshes.paper.isSound() || meshes.robust.isSound();
+        };
+        tried.helps = (helps && !harms) || (anySound(after.value()) && !anySound(*before_));
+        return std::optional(std::move(tried));
     }
 
     /// Repairs without a guess: every run makes them.
-    Result<TriedFix> triedRepair() const {
+    std::optional<TriedFix> triedRepair() const {
         const std::size_t left = applyFixes(file_).file.position.size();
         return TriedFix{left > 0, "writes " + counted(left, "point") +
                                       ", without those that every run sets aside"};
     }
 
-    Result<TriedFix> triedBest() {
-        const Result<Trials> trials = tryChanges(file_, {}, {}, nextStep());
+    Result<std::optional<TriedFix>> triedBest() {
+        std::uint64_t spent = spent_;
+        const auto count = [&](const Trials& trials, const SpecChange&) {
+            if (!trials.tried.empty()) spent += costOf(trials.tried.back());
+        };
+        const Progress own = nextStep();
+        const auto go = [&](double share) { return spent <= work_ && (!own || own(share)); };
+        const Result<Trials> trials = tryChanges(file_, {}, count, go);
+        if (!trials && spent > work_) return std::optional<TriedFix>{};
         if (!trials) return trials.error();
         const std::vector<Trial>& tried = trials.value().tried;
         const std::string before = endOf(tried.front().verdict);
         const Trial& best = tried[trials.value().best];
         if (trials.value().best == 0) {
             const std::size_t changes = tried.size() - 1;
-            return TriedFix{
+            return std::optional(TriedFix{
                 false,
                 before + " as given" +
-                    (changes == 0 ? "" : "; none of " + counted(changes, "change") + " is better")};
+                    (changes == 0 ? ""
+                                  : "; none of " + counted(changes, "change") + " is better")});
         }
-        return TriedFix{true, endOf(best.verdict) + " with " + wordsOf(best.change) + " (before " +
-                                  before + ")"};
+        return std::optional(TriedFix{true, endOf(best.verdict) + " with " + wordsOf(best.change) +
+                                                " (before " + before + ")"});
     }
 
     const PointFile& file_;
+    std::uint64_t work_;
+    std::uint64_t spent_ = 0;
     const Progress& progress_;
     std::optional<BothMeshes> before_;
     std::size_t steps_ = 1;
@@ -151,16 +178,25 @@ class FixTrials {
 
 }  // namespace
 
-Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress) {
-    FixTrials trials(file, progress);
+Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress,
+                std::uint64_t work) {
+    FixTrials trials(file, work, progress);
     const auto hasRemedy = [](const Finding& finding) { return finding.hasRemedy(); };
     trials.expect(2 + static_cast<std::size_t>(std::count_if(diagnosis.findings.begin(),
                                                              diagnosis.findings.end(), hasRemedy)));
-    std::map<std::string_view, TriedFix> effects;  // by command
+    // --best takes up to twenty runs.
+    std::vector<const Finding*> dearestLast;
     for (const Finding& finding : diagnosis.findings) {
-        const std::string_view command = finding.check->remedy;
-        if (!finding.hasRemedy() || effects.contains(command)) continue;
-        Result<TriedFix> tried = trials.tried(finding);
+        if (finding.hasRemedy()) dearestLast.push_back(&finding);
+    }
+    std::stable_partition(dearestLast.begin(), dearestLast.end(), [](const Finding* finding) {
+        return finding->scale || finding->check->fix != Fix::None;
+    });
+    std::map<std::string_view, std::optional<TriedFix>> effects;  // by command
+    for (const Finding* finding : dearestLast) {
+        const std::string_view command = finding->check->remedy;
+        if (effects.contains(command)) continue;
+        Result<std::optional<TriedFix>> tried = trials.tried(*finding);
         if (!tried) return tried.error();
         effects[command] = std::move(tried.value());
     }

@@ -141,6 +141,32 @@ TEST_CASE("tried fixes: a sound file needs no change, and advice without a comma
     CHECK_FALSE(tooFew->tried);
 }
 
+TEST_CASE(
+    "tried fixes: what takes too much work is not tried, the dearest first, and no effect "
+    "changes") {
+    PointFile file = inPairs(fibonacciSphere(300), 0.002);
+    file.normal.clear();
+    const Diagnosis all = diagnosisTriedOn(file);
+    REQUIRE(findingOf(all, "twins")->tried);
+    REQUIRE(findingOf(all, "no_normals")->tried);
+    std::size_t before = 2;
+    for (const std::uint64_t work : {1'000'000ULL, 4'000ULL, 0ULL}) {
+        Diagnosis diagnosis = examined(file);
+        REQUIRE(tryFixes(file, diagnosis, {}, work).ok());
+        const Finding* twins = findingOf(diagnosis, "twins");
+        const Finding* none = findingOf(diagnosis, "no_normals");
+        const std::size_t tried = (twins->tried ? 1U : 0U) + (none->tried ? 1U : 0U);
+        CHECK(tried <= before);
+        before = tried;
+        if (twins->tried) CHECK(twins->tried->text == findingOf(all, "twins")->tried->text);
+        if (none->tried) CHECK(none->tried->text == findingOf(all, "no_normals")->tried->text);
+        // Not tried, it is still named.
+        CHECK_FALSE(remedyFor(*none, "a.ply").empty());
+        if (none->tried) CHECK(twins->tried);
+    }
+    CHECK(before < 2);
+}
+
 TEST_CASE("tried fixes: cancelled at any share, and the findings stay as they were") {
     const PointFile pairs = inPairs(fibonacciSphere(300), 0.002);
     for (const double limit : {0.0, 0.3, 0.7}) {
