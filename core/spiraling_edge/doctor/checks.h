@@ -47,9 +47,10 @@ struct ScaledSurface {
 struct UnitScale {
     Vec3 factors{1.0};
     std::string_view words;  ///< "x and y as degrees of longitude and latitude, in meters".
+    std::string_view ifSo;   ///< "x is the longitude in degrees".
     ScaledSurface surface{};
-    /// Factors if x and y are degrees in the other order, where the points do not tell.
-    std::optional<Vec3> otherOrder{};
+    /// Other conversions, where the points do not tell: "if x is the latitude: --scale-by ...".
+    std::string otherwise{};
 };
 
 /// Axes with different units (unit_checks.cpp).

@@ -1,6 +1,6 @@
 /// The check of normals against the planes of the points (given_normals.h), and the kinds of
 /// normals that do not fit: each kind is tried on the points, and named only where the trial
-/// succeeds. O(points), and 23 trials on about two thousand points.
+/// succeeds. O(points), and 35 trials on about two thousand points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -109,6 +109,20 @@ std::string asOtherAxes(const NormalTrial& trial) {
     return {};
 }
 
+/// One axis of the points in another unit than the others: feet or millimeters beside meters.
+std::string asOtherUnits(const NormalTrial& trial) {
+    for (const double factor : {0.3048, 1.0 / 0.3048, 0.001, 1000.0}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 factors(1.0);
+            factors[axis] = factor;
+            if (!trial.fits([&](const Vec3& n) { return factors * n; })) continue;
+            return "they fit the points in one unit: --scale-by " + factorsText(factors) +
+                   " --derive-normals";
+        }
+    }
+    return {};
+}
+
 /// One direction everywhere.
 std::string asOneDirection(const NormalTrial& trial) {
     constexpr double kAlike = 0.98480775301220802;  // 10 degrees
@@ -197,7 +211,7 @@ std::string asTilted(const NormalTrial& trial) {
            " degrees";
 }
 
-constexpr std::array kKinds{asUnsigned,     asOtherAxes, asOneDirection,
+constexpr std::array kKinds{asUnsigned,     asOtherAxes, asOtherUnits, asOneDirection,
                             asLinesOfSight, asTilted,    asChance};
 
 }  // namespace

@@ -58,12 +58,11 @@ ScaledSurface scaledSurface(const ExaminedFile& examined, const Vec3& factors) {
     return {planar, even, std::move(nearest.value())};
 }
 
-/// True if the three extents differ so much that units may: the middle one is the second longest.
-bool isOneAxisLong(const Vec3& extent) {
-    constexpr double kLong = 100.0;
+/// The longest extent in units of the second longest; 0 of a flat box.
+double longestByNext(const Vec3& extent) {
     std::array<double, 3> sorted{extent.x, extent.y, extent.z};
     std::sort(sorted.begin(), sorted.end());
-    return sorted[0] > 0.0 && sorted[2] > kLong * sorted[1];
+    return sorted[0] > 0.0 ? sorted[2] / sorted[1] : 0.0;
 }
 
 /// Meters per degree of longitude, and of latitude, at this latitude; rounded.
@@ -80,47 +79,78 @@ std::vector<UnitScale> degreeScalesOf(const InputFacts& facts) {
     const auto isWithin = [&](int axis, double most) {
         return facts.low[axis] >= -most && facts.high[axis] <= most;
     };
-    const auto add = [&](int longitude, int latitude, const char* words) {
+    const auto add = [&](int longitude, int latitude, const char* words, const char* ifSo) {
         const double middle = 0.5 * (facts.low[latitude] + facts.high[latitude]);
         const auto [east, north] = metersPerDegree(middle);
         if (!isWithin(longitude, 180.0) || !isWithin(latitude, 90.0) || east < 1.0) return;
-        UnitScale scale{Vec3(1.0), words};
+        UnitScale scale{Vec3(1.0), words, ifSo};
         scale.factors[longitude] = east;
         scale.factors[latitude] = north;
         orders.push_back(scale);
     };
-    add(0, 1, "x and y as degrees of longitude and latitude, in meters");
-    add(1, 0, "x and y as degrees of latitude and longitude, in meters");
+    add(0, 1, "x and y as degrees of longitude and latitude, in meters",
+        "x is the longitude in degrees");
+    add(1, 0, "x and y as degrees of latitude and longitude, in meters",
+        "x is the latitude in degrees");
     return orders;
 }
 
-/// The longest axis as thousandths: millimeters beside meters.
+/// The longest axis as thousandths: millimeters beside meters, or meters beside kilometers.
 UnitScale thousandthOf(int longest) {
     constexpr std::array kWords{"x as thousandths of the unit of y and z",
                                 "y as thousandths of the unit of x and z",
                                 "z as thousandths of the unit of x and y"};
-    UnitScale scale{Vec3(1.0), kWords[static_cast<std::size_t>(longest)]};
+    UnitScale scale{Vec3(1.0), kWords[static_cast<std::size_t>(longest)],
+                    "they are kilometers beside meters"};
     scale.factors[longest] = 0.001;
     return scale;
 }
 
+/// More of the ratios of distances is told from less by this factor.
+constexpr double kMoreEven = 1.05;
+
+/// The first of two conversions that both make a surface, with the other one as the alternative.
+UnitScale orElse(UnitScale first, const UnitScale& second) {
+    first.otherwise.append(first.otherwise.empty() ? "if " : "; if ")
+        .append(second.ifSo)
+        .append(": --scale-by ")
+        .append(factorsText(second.factors));
+    return first;
+}
+
 /// Of two orders that both make a surface the one by which the points are spread more evenly. Where
 /// they do not tell, as on a grid of degrees, the longitude is first, as in most files.
-UnitScale likelierOrder(const ExaminedFile& examined, UnitScale first, UnitScale second) {
-    constexpr double kMoreEven = 1.05;
+UnitScale likelierOrder(const ExaminedFile& examined, const UnitScale& first,
+                        const UnitScale& second) {
     const double north = std::max(first.factors.y, second.factors.x);
     const double square = scaledSurface(examined, Vec3(north, north, 1.0)).even;
     if (second.surface.even > kMoreEven * std::max(first.surface.even, square)) return second;
     const bool told = first.surface.even > kMoreEven * std::max(second.surface.even, square);
-    if (!told) first.otherOrder = second.factors;
-    return first;
+    return told ? first : orElse(first, second);
+}
+
+/// Of degrees and kilometers that both make a surface the one that spreads the points more evenly.
+/// Where they do not tell, on gentle hills, kilometers if one of the axes has 0, as local
+/// coordinates do.
+UnitScale likelierUnit(const ExaminedFile& examined, const UnitScale& degrees,
+                       const UnitScale& kilometers) {
+    if (degrees.surface.even > kMoreEven * kilometers.surface.even) return degrees;
+    if (kilometers.surface.even > kMoreEven * degrees.surface.even) return kilometers;
+    const InputFacts& facts = examined.intake.judge->facts;
+    const auto hasZero = [&](int axis) {
+        return facts.low[axis] <= 0.0 && facts.high[axis] >= 0.0;
+    };
+    return hasZero(0) || hasZero(1) ? orElse(kilometers, degrees) : orElse(degrees, kilometers);
 }
 
 /// Of a few conversions the one that makes the best surface, if any does.
 std::optional<UnitScale> scaleOf(const ExaminedFile& examined) {
+    // Scaled to nothing along the longest axis any points are planar, but not more even.
+    constexpr double kGain = 1.2;
+    const double before = evenness(examined.file.position, examined.nearest());
     const auto judge = [&](UnitScale& scale) {
         scale.surface = scaledSurface(examined, scale.factors);
-        return scale.surface.planar >= kSurface;
+        return scale.surface.planar >= kSurface && scale.surface.even >= kGain * before;
     };
     const InputFacts& facts = examined.intake.judge->facts;
     const Vec3 extent = facts.extent();
@@ -130,12 +160,10 @@ std::optional<UnitScale> scaleOf(const ExaminedFile& examined) {
     std::erase_if(degrees, [&](UnitScale& each) { return !judge(each); });
     UnitScale thousandth = thousandthOf(longest);
     const bool thousandthFits = judge(thousandth);
-    const bool degreesFitBetter = std::any_of(
-        degrees.begin(), degrees.end(),
-        [&](const UnitScale& each) { return each.surface.planar >= thousandth.surface.planar; });
-    if (degreesFitBetter) {
-        if (degrees.size() == 1) return degrees.front();
-        return likelierOrder(examined, degrees[0], degrees[1]);
+    if (!degrees.empty()) {
+        const UnitScale likelier =
+            degrees.size() == 1 ? degrees.front() : likelierOrder(examined, degrees[0], degrees[1]);
+        return thousandthFits ? likelierUnit(examined, likelier, thousandth) : likelier;
     }
     if (thousandthFits) return thousandth;
     return std::nullopt;
@@ -154,13 +182,16 @@ std::string factorsText(const Vec3& factors) {
 
 std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
     MixedUnits units{examined.intake.judge->facts.extent()};
-    if (!isOneAxisLong(units.extent)) return std::nullopt;
+    constexpr double kLong = 10.0;
+    constexpr double kVeryLong = 100.0;
+    const double longest = longestByNext(units.extent);
+    if (longest < kLong) return std::nullopt;
     units.planar = planarShare(examined.file.position, examined.present(), examined.nearest());
     if (units.planar > kNoSurface) return std::nullopt;
     ScaledSurface equal = scaledSurface(examined, 1.0 / units.extent);
     units.planarScaled = equal.planar;
     units.scale = scaleOf(examined);
-    if (!units.scale && equal.planar < kSurface) return std::nullopt;
+    if (!units.scale && (longest < kVeryLong || equal.planar < kSurface)) return std::nullopt;
     units.scaled = std::move(units.scale ? units.scale->surface.nearest : equal.nearest);
     return units;
 }
@@ -173,11 +204,10 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
                     Severity::Error,
                     examined.presentCount,
                     {},
-                    "x, y and z have different units, as degrees beside meters: they span " +
-                        shortNumber(extent.x) + ", " + shortNumber(extent.y) + " and " +
-                        shortNumber(extent.z) + "; " + percent(examined.units->planar) +
-                        " of the places are planar, and " + percent(examined.units->planarScaled) +
-                        " with equal spans"};
+                    "x, y and z have different units: they span " + shortNumber(extent.x) + ", " +
+                        shortNumber(extent.y) + " and " + shortNumber(extent.z) + "; " +
+                        percent(examined.units->planar) + " of the places are planar, and " +
+                        percent(examined.units->planarScaled) + " with equal spans"};
     finding.lines = alongLists(examined, examined.nearest());
     // Those are short: points of one height, of all of the surface.
     for (EvidenceLine line : alongLists(examined, examined.units->scaled)) {
@@ -189,9 +219,7 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
     finding.scale = scale->factors;
     finding.text += std::string(kWithFactors) + std::string(scale->words) + ", " +
                     percent(scale->surface.planar) + " are";
-    if (scale->otherOrder)
-        finding.text +=
-            " (if x is the latitude: --scale-by " + factorsText(*scale->otherOrder) + ")";
+    if (!scale->otherwise.empty()) finding.text += " (" + scale->otherwise + ")";
     return finding;
 }
 

@@ -492,7 +492,8 @@ TEST_CASE("doctor: the sentence on mixed units says what they are converted to")
             grid.position.emplace_back(11.5 + 1e-5 * i, 48.1 + 1e-5 * j,
                                        500.0 + 2.0 * std::sin(0.2 * i) + 2.0 * std::cos(0.2 * j));
     }
-    CHECK(text(grid).ends_with(" are (if x is the latitude: --scale-by 111132,109085,1)"));
+    CHECK(
+        text(grid).ends_with(" are (if x is the latitude in degrees: --scale-by 111132,109085,1)"));
 }
 
 TEST_CASE("doctor: millimeters beside meters are converted, on each axis") {
@@ -523,6 +524,40 @@ TEST_CASE("doctor: units without a conversion that makes a surface have advice a
     PointFile file = inDegrees(fibonacciSphere(600));
     for (Vec3& x : file.position) x.x += 300.0;
     const Diagnosis diagnosis = examined(file);
+TEST_CASE("doctor: kilometers beside meters are no degrees, though both make a surface") {
+    for (const Vec3& origin : {Vec3(0.0), Vec3(2.0, 3.0, 50.0), Vec3(691.2, 5335.4, 520.0)}) {
+        PointFile hills;
+        hills.positionType = ScalarType::Double;
+        Random random(4);
+        for (int p = 0; p < 2500; ++p) {
+            const double x = 0.04 * (p % 50) + random.between(-0.01, 0.01);
+            const double y = 0.04 * (p / 50) + random.between(-0.01, 0.01);
+            hills.position.push_back(origin +
+                                     Vec3(x, y, 150.0 * std::sin(2.0 * x) * std::cos(1.5 * y)));
+        }
+        const Diagnosis diagnosis = examined(hills);
+        const Finding* finding = findingOf(diagnosis, "mixed_units");
+        REQUIRE(finding != nullptr);
+        // Where gentle hills can be either, both are said.
+        const bool isFirst = remedyFor(*finding, "a.xyz") ==
+                             "spiraling-edge run a.xyz --scale-by 1,1,0.001 -o OUT.ply";
+        CHECK((isFirst || finding->text.find("if they are kilometers beside meters: --scale-by "
+                                             "1,1,0.001") != std::string::npos));
+        if (origin == Vec3(0.0) || origin.x > 180.0) CHECK(isFirst);
+    }
+}
+
+TEST_CASE("doctor: heights in feet beside meters are recognized by normals that fit in one unit") {
+    PointFile file = fibonacciSphere(1500);
+    for (Vec3& x : file.position) x.z /= 0.3048;
+    const Diagnosis diagnosis = examined(file);
+    const Finding* finding = findingOf(diagnosis, "unfit_normals");
+    REQUIRE(finding != nullptr);
+    CHECK(
+        finding->text.ends_with("they fit the points in one unit: --scale-by 1,1,0.3048 "
+                                "--derive-normals"));
+}
+
     const Finding* finding = findingOf(diagnosis, "mixed_units");
     REQUIRE(finding != nullptr);
     CHECK_FALSE(finding->hasRemedy());
