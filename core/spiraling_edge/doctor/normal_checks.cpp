@@ -53,7 +53,9 @@ std::optional<Finding> findCloseSheets(const ExaminedFile& examined) {
     auto points = pointsWhere(examined.size(), [&](Index p) {
         if (!examined.hasSide(p) || examined.nearest()[p].empty()) return false;
         const Index q = examined.nearest()[p].front();
-        return examined.hasSide(q) && normalsOppose(examined.side(p), examined.side(q));
+        // Across the edge of a box normals are perpendicular.
+        constexpr double kAway = -0.5;
+        return examined.hasSide(q) && glm::dot(examined.side(p), examined.side(q)) < kAway;
     });
     // Many shapes have thin parts. If every second point has its nearest on another sheet, the
     // spacing does not fit the set as a whole.

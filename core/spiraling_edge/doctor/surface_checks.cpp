@@ -16,6 +16,8 @@ namespace se {
 namespace {
 
 constexpr std::size_t kFitsPerThread = 1024;
+/// Of fewer points patches go round a bend of the surface: heights over a fit may be its shape.
+constexpr std::size_t kFewPoints = 150;
 
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
 bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
@@ -177,6 +179,7 @@ std::optional<Layers> layersOf(const ExaminedFile& examined) {
     constexpr double kTwoHeaps = 1.95;
     constexpr std::size_t kLeastShare = 10;  // One in ten.
     constexpr double kDrawn = 2.2;
+    if (examined.presentCount < kFewPoints) return std::nullopt;
     const std::vector<double> around = kurtosisAroundAll(examined);
     const auto certain = std::count_if(around.begin(), around.end(),
                                        [](double kurtosis) { return kurtosis < kTwoHeaps; });
@@ -229,7 +232,7 @@ std::optional<Finding> findNoise(const ExaminedFile& examined) {
                              layers ? layers->height() : noise);
     return Finding{
         nullptr,
-        noise < kStrong ? Severity::Note : Severity::Warning,
+        noise < kStrong || examined.presentCount < kFewPoints ? Severity::Note : Severity::Warning,
         count,
         std::move(points),
         "noise of " + spacingsText(examined, noise) + " along the normals, at " +

@@ -45,6 +45,23 @@ TEST_CASE("doctor: of the built-in scenes only the exact lattice is accused") {
     }
 }
 
+TEST_CASE("doctor: of few points, heights over a fit are the shape, and no noise or layers") {
+    for (const std::size_t count : {20U, 40U, 60U, 100U, 140U}) {
+        for (const double flatness : {1.0, 0.35}) {
+            for (const bool given : {true, false}) {
+                PointFile file = fibonacciSphere(count);
+                for (Vec3& x : file.position) x.z *= flatness;
+                for (Vec3& n : file.normal) n = glm::normalize(n / Vec3(1.0, 1.0, flatness));
+                if (!given) file.normal.clear();
+                const Diagnosis diagnosis = examined(file);
+                CHECK(findingOf(diagnosis, "two_layers") == nullptr);
+                const Finding* noise = findingOf(diagnosis, "noise");
+                CHECK((noise == nullptr || noise->severity == Severity::Note));
+            }
+        }
+    }
+}
+
 TEST_CASE("doctor: noise, rough normals and missing points are no faults") {
     Random random(7);
     for (const Family& family : closedFamilies(1.5)) {
