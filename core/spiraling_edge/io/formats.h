@@ -70,12 +70,16 @@ class PointColors {
     void add(const Vec3& color) { colors_.push_back(color); }
     /// Takes the color of the next point from three fields; of a missing one nothing is kept.
     void add(Fields& fields);
+    /// Notes that colors have a fourth number.
+    void leaveOutAlpha() { hasAlpha_ = true; }
+    bool empty() const { return colors_.empty(); }
     /// Adds the columns red, green and blue to `file`, from 0 to 255, if every point has a color;
     /// otherwise a note if some have one.
     void take(PointFile& file) const;
 
   private:
     std::vector<Vec3> colors_;
+    bool hasAlpha_ = false;
 };
 
 inline std::string lowerCase(std::string_view text) {

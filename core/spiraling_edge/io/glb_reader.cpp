@@ -157,6 +157,10 @@ class GlbReader : GlbData {
         if (mode > kModeFan) return fail(primitive.at, "expected a mode of triangles from 0 to 6");
         if (primitive.member("targets").isThere()) leftOut_.insert("morph targets");
         if (primitive.member("material").isThere()) leftOut_.insert("materials");
+        for (const std::string& name : primitive.member("attributes").names) {
+            if (name != "POSITION" && name != "NORMAL" && name != "COLOR_0")
+                leftOut_.insert("attribute " + excerpt(name));
+        }
         if (mode > kModePoints && mode < kModeList) {
             leftOut_.insert("lines");
             return true;
@@ -204,6 +208,7 @@ class GlbReader : GlbData {
         points = &known->second;
         if (!fresh) return true;
         if (!mayPlace(position, places.count)) return false;
+        if (colors.width > 3) colors_.leaveOutAlpha();
         if (places.type != ScalarType::Float) file_.positionType = ScalarType::Double;
         (normal.isThere() ? withNormals_ : withoutNormals_) += places.count;
         addVertices(places.vectors(), normals.vectors(), colors.vectors(), placement, merges,

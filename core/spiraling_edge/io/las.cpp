@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 
@@ -60,6 +61,7 @@ class LasReader : FirstProblem {
         keep("classification", ScalarType::UInt8, layout().classAt);
         maskClasses();
         keepColors();
+        noteWithheld();
         file_.notes.emplace_back("left out: returns, scan angles and the other fields of a record");
         return std::move(file_);
     }
@@ -178,6 +180,18 @@ class LasReader : FirstProblem {
             for (double& value : column.values)
                 value = static_cast<double>(static_cast<unsigned>(value) & kClass);
         }
+    }
+
+    /// Points that a program before has marked as not to be used stay: only the user knows.
+    void noteWithheld() {
+        const unsigned bit = format_ >= 6 ? 4U : 128U;
+        std::size_t withheld = 0;
+        for (std::size_t point = 0; point < count_; ++point) {
+            const auto flags = loadScalar<std::uint8_t>(record(point) + 15, kLittleIsSwapped);
+            withheld += (flags & bit) != 0 ? 1U : 0U;
+        }
+        if (withheld > 0)
+            file_.notes.push_back(counted(withheld, "point") + " marked as withheld: used");
     }
 
     /// Colors have 16 bits; many writers use the lower 8 alone.

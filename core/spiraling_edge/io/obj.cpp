@@ -1,6 +1,8 @@
-// OBJ: `v` with colors, `vn` and `f`; other statements are left out.
+// OBJ: `v` with colors, `vn`, `f`, and the colors that ZBrush writes in comments; other statements
+// are left out, and named.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -8,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -21,18 +24,19 @@ class ObjReader : LineByLine {
 
     Result<PointFile> read() {
         file_.positionType = file_.normalType = ScalarType::Double;
-        while (lines_.nextContent('#')) {
+        while (lines_.next()) {
+            if (lines_.line().starts_with(kPainted))
+                readPainted(lines_.line().substr(kPainted.size()));
             Fields fields(statement());
-            if (!readStatement(fields.next(), fields)) return problem_;
+            const std::string_view keyword = fields.next();
+            if (!keyword.empty() && !readStatement(keyword, fields)) return problem_;
         }
         if (file_.position.empty())
             return Error{name_ + ": holds no points (lines that begin with v)"};
         if (!checkReferences()) return problem_;
         takeNormals();
-        colors_.take(file_);
-        for (const auto& [keyword, text] : kLeftOut) {
-            if (leftOut_.contains(keyword)) file_.notes.push_back(std::string("left out: ") + text);
-        }
+        (colors_.empty() ? painted_ : colors_).take(file_);
+        noteLeftOut();
         return std::move(file_);
     }
 
@@ -53,7 +57,7 @@ class ObjReader : LineByLine {
         // A path of Windows in another statement may end so as well.
         const std::string_view keyword = Fields(lines_.line()).next();
         const bool isRead = keyword == "v" || keyword == "vn" || keyword == "f";
-        if (!isRead || !isContinued(lines_.line())) return lines_.line();
+        if (!isRead || !isContinued(lines_.line())) return beforeComment(lines_.line(), '#');
         joined_.clear();
         bool more = true;
         while (more) {
@@ -70,13 +74,44 @@ class ObjReader : LineByLine {
         if (keyword == "v") return readPoint(fields);
         if (keyword == "vn") return readVector(fields, normals_);
         if (keyword == "f") return readFace(fields);
-        for (const auto& [known, text] : kLeftOut) {
-            if (keyword == known) leftOut_.insert(known);
-        }
+        leftOut_.insert(keyword);
         return true;
     }
 
-    /// A color may follow the position; a weight is read over.
+    /// Names the statements that were not read: in words, or else themselves, as far as they are
+    /// words.
+    void noteLeftOut() {
+        for (const auto& [keyword, text] : kLeftOut) {
+            if (leftOut_.erase(keyword) > 0)
+                file_.notes.push_back(std::string("left out: ") + text);
+        }
+        constexpr std::size_t kLongest = 12;
+        const auto isWord = [](std::string_view keyword) {
+            return keyword.size() <= kLongest &&
+                   std::all_of(keyword.begin(), keyword.end(), [](char c) {
+                       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+                   });
+        };
+        std::vector<std::string> words;
+        for (const std::string_view keyword : leftOut_) {
+            if (isWord(keyword)) words.emplace_back(keyword);
+        }
+        if (words.size() < leftOut_.size()) words.emplace_back("others");
+        if (!words.empty()) file_.notes.push_back("left out: statements " + wordList(words, "and"));
+    }
+
+    /// Colors of points in order, of ZBrush: eight hexadecimal digits each, a mask and the color.
+    void readPainted(std::string_view digits) {
+        constexpr std::size_t kDigits = 8;
+        for (; digits.size() >= kDigits; digits.remove_prefix(kDigits)) {
+            std::uint32_t number = 0;
+            const char* const end = digits.data() + kDigits;
+            if (std::from_chars(digits.data(), end, number, 16).ptr != end) return;
+            painted_.add(Vec3(number >> 16U & 255U, number >> 8U & 255U, number & 255U) / 255.0);
+        }
+    }
+
+    /// A color may follow the position; a weight is read over, unless it is 1.
     bool readPoint(Fields& fields) {
         if (!readVector(fields, file_.position)) return false;
         Vec3 color{0.0};
@@ -90,6 +125,8 @@ class ObjReader : LineByLine {
             if (more < 3) color[more] = number;
         }
         if (more >= 3) colors_.add(color);
+        if (more == 4) colors_.leaveOutAlpha();
+        if (more == 1 && color[0] != 1.0) leftOut_.insert("w");
         return true;
     }
     bool readVector(Fields& fields, std::vector<Vec3>& target) {
@@ -195,16 +232,19 @@ class ObjReader : LineByLine {
     };
 
     /// Statements that points and triangles do without, and their words.
-    static constexpr std::array<std::pair<std::string_view, const char*>, 5> kLeftOut{{
+    static constexpr std::array<std::pair<std::string_view, const char*>, 6> kLeftOut{{
         {"vt", "texture coordinates"},
         {"mtllib", "materials"},
         {"l", "lines"},
         {"p", "lists of points"},
         {"cstype", "free-form surfaces"},
+        {"w", "weights of points"},
     }};
+    static constexpr std::string_view kPainted = "#MRGB ";
 
     PointFile file_;
     PointColors colors_;
+    PointColors painted_;
     std::set<std::string_view> leftOut_;
     std::string joined_;
     std::vector<Vec3> normals_;

@@ -370,6 +370,13 @@ class PcdReader : LineByLine {
         return true;
     }
 
+    /// True if the highest bytes of colors tell them apart: they are all 0 where a writer has none.
+    static bool hasTransparent(const std::vector<double>& colors) {
+        const auto alpha = [](double color) { return static_cast<std::uint32_t>(color) >> 24U; };
+        return std::any_of(colors.begin(), colors.end(),
+                           [&](double each) { return alpha(each) != alpha(colors.front()); });
+    }
+
     /// Splits packed colors into the usual columns.
     void splitColors() {
         const auto isPacked = [this](const Attribute& attribute) {
@@ -382,6 +389,8 @@ class PcdReader : LineByLine {
             std::find_if(file_.attributes.begin(), file_.attributes.end(), isPacked);
         if (packed == file_.attributes.end()) return;
         const std::vector<double> colors = std::move(packed->values);
+        const bool hasAlpha = packed->name == "rgba" && hasTransparent(colors);
+        if (hasAlpha) file_.notes.emplace_back("left out: transparency of colors");
         file_.attributes.erase(packed);
         unsigned shift = 16;
         for (const char* name : {"red", "green", "blue"}) {

@@ -489,11 +489,13 @@ class BodyReader {
         const std::vector<Column> nowhere(element.properties.size());
         const auto ignore = [] { return true; };
         if (element.name == "vertex") {
-            noteOthers(element, kNoProperty);
-            return readRows(element, makeColumns(element), kNoProperty, ignore);
+            const std::vector<Column> columns = makeColumns(element);
+            noteOthers(element, columns, kNoProperty);
+            return readRows(element, columns, kNoProperty, ignore);
         }
+        if (element.name == "face" || element.name == "tristrips")
+            noteOthers(element, nowhere, findIndexList(element));
         if (element.name == "face") {
-            noteOthers(element, findIndexList(element));
             return readRows(element, nowhere, findIndexList(element), [this] {
                 appendFan(list_, file_.faces);
                 return true;
@@ -506,7 +508,9 @@ class BodyReader {
             });
         }
         if (element.name == "camera") {
-            return readRows(element, cameraColumns(element), kNoProperty, ignore);
+            const std::vector<Column> columns = cameraColumns(element);
+            noteOthers(element, columns, kNoProperty);
+            return readRows(element, columns, kNoProperty, ignore);
         }
         if (element.name == "se_neighbors") {
             return readRows(element, nowhere, findIndexList(element),
@@ -517,12 +521,16 @@ class BodyReader {
     }
 
     /// Notes properties that are read over.
-    void noteOthers(const PlyElement& element, std::size_t taken) {
+    void noteOthers(const PlyElement& element, const std::vector<Column>& columns,
+                    std::size_t taken) {
         std::string names;
+        std::size_t others = 0;
         for (std::size_t i = 0; i < element.properties.size() && element.count > 0; ++i) {
-            const bool isRead =
-                i == taken || (element.name == "vertex" && !element.properties[i].isList);
-            if (!isRead) names += (names.empty() ? "" : ", ") + element.properties[i].name;
+            if (i == taken || columns[i].first != nullptr) continue;
+            constexpr std::size_t kNamed = 8;
+            if (++others <= kNamed)
+                names += (names.empty() ? "" : ", ") + element.properties[i].name;
+            if (others == kNamed + 1) names += ", ...";
         }
         if (!names.empty())
             file_.notes.push_back("left out of element " + element.name + ": " + names);

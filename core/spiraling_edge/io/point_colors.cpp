@@ -15,15 +15,20 @@ void PointColors::add(Fields& fields) {
         if (!parseDouble(fields.next(), color[channel])) return;
     }
     add(color);
+    if (!fields.next().empty()) leaveOutAlpha();
 }
 
 void PointColors::take(PointFile& file) const {
     if (colors_.empty()) return;
-    const std::size_t missing = file.position.size() - colors_.size();
-    if (missing > 0) {
-        file.notes.push_back("left out: colors, without those of " + counted(missing, "point"));
+    if (colors_.size() != file.position.size()) {
+        const bool more = colors_.size() > file.position.size();
+        const std::size_t missing = file.position.size() - colors_.size();
+        file.notes.push_back("left out: colors, " +
+                             (more ? "more than there are points"
+                                   : "without those of " + counted(missing, "point")));
         return;
     }
+    if (hasAlpha_) file.notes.emplace_back("left out: transparency of colors");
     double most = 0.0;
     bool whole = true;
     bool negative = false;

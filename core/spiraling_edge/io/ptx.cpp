@@ -52,6 +52,7 @@ class PtxReader : LineByLine {
         if (scans_ == 1 && isFinite(scanner_)) file_.viewpoint = scanner_;
         file_.notes.push_back(std::to_string(scans_) + (scans_ == 1 ? " scan" : " scans") +
                               "; places without a return (0 0 0) are not numbers here");
+        if (scans_ > 1) file_.notes.emplace_back("left out: the places of the scanners");
         if (!file_.position.empty()) addColumns();
         return std::move(file_);
     }

@@ -148,6 +148,12 @@ constexpr std::array kUnreadKinds{
     UnreadKind{"\x93NUMPY",
                "is an array of NumPy, which cannot be read; save it as text, e.g. with "
                "python3 -c \"import numpy; numpy.savetxt('OUT.xyz', numpy.load('IN.npy'))\""},
+    UnreadKind{"ncols",
+               "is a grid of ESRI, which cannot be read; convert it, e.g. with "
+               "\"gdal_translate -of XYZ IN.asc OUT.xyz\""},
+    UnreadKind{"# vtk",
+               "is a VTK file, which cannot be read; convert it, e.g. with "
+               "\"meshio convert IN.vtk OUT.ply\" or with ParaView"},
     UnreadKind{kGzipMark, "is packed by gzip; unpack it with \"gunzip -k IN.gz\""},
     UnreadKind{"PK\x03\x04", "is a ZIP archive; unpack it, e.g. with \"unzip IN.zip\""},
 };

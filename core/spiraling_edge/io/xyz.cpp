@@ -198,6 +198,22 @@ std::string usualName(std::string_view word) {
     return std::string(word);
 }
 
+/// The axis that a name of maps stands for; else the name.
+std::string axisOnMap(const std::string& name) {
+    constexpr std::array<std::array<std::string_view, 5>, 3> kNames{{
+        {"lon", "longitude", "east", "easting", "e"},
+        {"lat", "latitude", "north", "northing", "n"},
+        {"height", "elevation", "alt", "altitude", "up"},
+    }};
+    const std::string lower = lowerCase(name);
+    for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
+        const auto& names = kNames[axis];
+        if (std::find(names.begin(), names.end(), lower) != names.end())
+            return std::string(1, "xyz"[axis]);
+    }
+    return name;
+}
+
 /// A name without blanks and quotation marks around it; those within become "_".
 std::string tidyName(std::string_view name) {
     const auto isAround = [](char c) { return isSpace(c) || c == '"' || c == '\''; };
@@ -255,6 +271,9 @@ std::vector<std::string> columnNames(std::vector<std::string> words) {
         if (!isPrintable(word)) return {};
         word = usualName(word);
     }
+    // Beside x, y and z a height is a column of its own.
+    if (std::find(words.begin(), words.end(), "x") == words.end())
+        std::transform(words.begin(), words.end(), words.begin(), axisOnMap);
     for (const char* axis : {"x", "y", "z"}) {
         if (std::count(words.begin(), words.end(), axis) != 1) return {};
     }
@@ -466,6 +485,12 @@ class XyzReader : LineByLine {
     }
 
     bool readRow(std::string_view content) {
+        std::string unquoted;
+        if (content.find('"') != std::string_view::npos) {
+            unquoted = content;
+            std::replace(unquoted.begin(), unquoted.end(), '"', ' ');
+            content = unquoted;
+        }
         while (!content.empty() && isSpace(content.back())) content.remove_suffix(1);
         if (content.find('\r') != std::string_view::npos) {
             return fail("the file has line ends of two kinds, CR and LF; save it with LF alone");

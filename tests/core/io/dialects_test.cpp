@@ -123,6 +123,14 @@ TEST_CASE("XYZ: a first row of names is a header, with any separator and quotati
     CHECK(contains(errorOf("x,y,z,w\n1,2,3\n"), "line 2: found 3 numbers, but line 1 names 4"));
     CHECK(contains(errorOf("a,b,c\n1,2,3\n", "a.csv"), "names of columns with x, y and z"));
     CHECK(mustRead("X [m],Y [m],Z [m]\n1,2,3\n").position[0] == Vec3(1, 2, 3));
+    CHECK(mustRead("\"x\",\"y\",\"z\"\n\"1\",\"2\",\"3\"\n").position[0] == Vec3(1, 2, 3));
+    CHECK(mustRead("\"x\";\"y\";\"z\"\n\"1,5\";\"2,5\";\"3,5\"\n").position[0] ==
+          Vec3(1.5, 2.5, 3.5));
+    // Names of maps, in any order; beside x, y and z a height is a column of its own.
+    CHECK(mustRead("lat,lon,height\n48,11,520\n").position[0] == Vec3(11, 48, 520));
+    CHECK(mustRead("Easting Northing Elevation\n1 2 3\n").position[0] == Vec3(1, 2, 3));
+    CHECK(column(mustRead("x,y,z,height\n1,2,3,4\n"), "height") == std::vector<double>{4});
+    CHECK(contains(errorOf("lat,lat,height\n1,2,3\n", "a.csv"), "names of columns"));
     CHECK(contains(errorOf("x,y,z,i\n0,0,0,1\n0,0,,1\n"), "line 3: expected a number between"));
 }
 
@@ -157,6 +165,7 @@ TEST_CASE("PTX: each scan is moved by its matrix, and places without a return ar
     const PointFile two = mustRead(scan + scan, "a.ptx");
     CHECK(two.position.size() == 4);
     CHECK_FALSE(two.viewpoint);
+    CHECK(notes(two, "left out: the places of the scanners"));
     for (std::size_t size = 1; size + 9 < scan.size(); ++size)
         CHECK_FALSE(readPoints(scan.substr(0, size), "cut").ok());
     CHECK(contains(errorOf(replaced(scan, "2\n1\n", "4000000000\n4000000000\n")), "too short"));
@@ -180,11 +189,53 @@ TEST_CASE("OBJ and OFF: colors of points are kept from 0 to 255") {
     CHECK(notes(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\n"), "left out: normals"));
     const PointFile off = mustRead("COFF\n2 0 0\n0 0 0 10 20 30 255\n1 0 0 40 50 60 255\n");
     CHECK(column(off, "blue") == std::vector<double>{30, 60});
+    CHECK(notes(off, "left out: transparency"));
+    CHECK_FALSE(notes(mustRead("COFF\n1 0 0\n0 0 0 10 20 30\n"), "transparency"));
     CHECK(column(mustRead("v 0 0 0 nan 0 1\nv 1 0 0 1 1 1\n"), "blue") ==
           std::vector<double>{0, 255});
     CHECK(notes(mustRead("v 0 0 0 1 0 0\nv 1 0 0\n"), "without those of 1 point"));
     CHECK(notes(mustRead("v 0 0 0 -1 0 0\n"), "left out: colors"));
     CHECK(mustRead("v 0 0 0 1\n").attributes.empty());
+    CHECK(mustRead("v 0 0 0 1\n").notes.empty());
+    CHECK(notes(mustRead("v 0 0 0 2\n"), "left out: weights of points"));
+    CHECK(notes(mustRead("v 0 0 0 0.1 0.2 0.3 0.5\n"), "left out: transparency"));
+}
+
+TEST_CASE("OBJ: colors in comments of ZBrush are kept, if there is one for each point") {
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const PointFile file = mustRead(points + "#MRGB ff102030ff000001\n# a word\n#MRGB FFFFFFFF\n");
+    CHECK(column(file, "red") == std::vector<double>{16, 0, 255});
+    CHECK(column(file, "green") == std::vector<double>{32, 0, 255});
+    CHECK(column(file, "blue") == std::vector<double>{48, 1, 255});
+    CHECK(notes(mustRead(points + "#MRGB ff102030\n"), "without those of 2 points"));
+    CHECK(notes(mustRead("v 0 0 0\n#MRGB ff102030ff000001\n"), "more than there are points"));
+    CHECK(mustRead(points + "#MRGB ff10203xff000001\n").attributes.empty());
+}
+
+TEST_CASE("OBJ: statements that are not read are named") {
+    const PointFile file = mustRead("o a\ng b\nusemtl c\nv 0 0 0\ns off\nvp 1\n");
+    CHECK(file.notes == std::vector<std::string>{"left out: statements g, o, s, usemtl and vp"});
+    CHECK(notes(mustRead("v 0 0 0\n\x01\x02 1\nVERYLONGSTATEMENT 1\n"), "statements others"));
+}
+
+TEST_CASE("PCD: the transparency of colors is said to be left out, where it tells points apart") {
+    const auto pcd = [](const std::string& first, const std::string& second) {
+        return "FIELDS x y z rgba\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+               "POINTS 2\nDATA ascii\n0 0 0 " +
+               first + "\n1 0 0 " + second + "\n";
+    };
+    CHECK(notes(mustRead(pcd("4278190335", "255")), "left out: transparency"));
+    CHECK_FALSE(notes(mustRead(pcd("4278190335", "4278190080")), "transparency"));
+}
+
+TEST_CASE("PLY: properties of a sensor and of strips that are not read are named") {
+    const PointFile file = mustRead(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement camera 1\nproperty float view_px\nproperty float focal\n"
+        "element tristrips 1\nproperty list int int vertex_indices\nproperty int layer\n"
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n7 35\n3 0 1 2 9\n");
+    CHECK(notes(file, "left out of element camera: focal"));
+    CHECK(notes(file, "left out of element tristrips: layer"));
 }
 
 TEST_CASE("OBJ: a backslash continues a statement in the next line") {
@@ -299,6 +350,9 @@ TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
     std::string flagged = lasOfTwo();
     flagged[227 + 15] = '\x46';  // With a flag above the class.
     CHECK(column(mustRead(flagged), "classification") == std::vector<double>{6, 6});
+    CHECK_FALSE(notes(mustRead(flagged), "withheld"));
+    flagged[227 + 15] = '\x86';
+    CHECK(notes(mustRead(flagged), "1 point marked as withheld: used"));
     std::string nowhere = lasOfTwo();
     nowhere.replace(96, 4, 4, '\0');
     CHECK(contains(errorOf(nowhere), "byte 96"));
@@ -336,6 +390,8 @@ TEST_CASE("Files: kinds that are not read are named, with the program that conve
     CHECK(contains(errorOf("ASTM-E57...", "a.e57"), "pdal translate"));
     CHECK(contains(errorOf("\x93NUMPY...", "a.npy"), "numpy.savetxt"));
     CHECK(contains(errorOf("\x1f\x8b...", "a.ply.gz"), "gunzip"));
+    CHECK(contains(errorOf("ncols 4\nnrows 3\n", "a.asc"), "gdal_translate -of XYZ"));
+    CHECK(contains(errorOf("# vtk DataFile Version 3.0\n", "a.vtk"), "meshio convert"));
 }
 
 TEST_CASE("Files: a packed file is read where there is a function that unpacks it") {

@@ -238,13 +238,16 @@ TEST_CASE("GLB: interleaved attributes, and primitives that share their vertices
     CHECK(file.notes.empty());
 }
 
-TEST_CASE("GLB: materials, skins and morph targets are said to be left out") {
+TEST_CASE("GLB: materials, skins, morph targets and other attributes are said to be left out") {
     const PointFile file = mustRead(
         glb(document(R"({"mesh":0,"skin":0})",
-                     R"({"attributes":{"POSITION":0},"indices":1,"material":0,"targets":[{}]})",
+                     R"({"attributes":{"POSITION":0,"TEXCOORD_0":0,"_TIME":0},"indices":1,)"
+                     R"("material":0,"targets":[{}]})",
                      kAccessors, kViews),
             squareBytes()));
-    CHECK(file.notes == std::vector<std::string>{"left out: materials", "left out: morph targets",
+    CHECK(file.notes == std::vector<std::string>{"left out: attribute TEXCOORD_0",
+                                                 "left out: attribute _TIME", "left out: materials",
+                                                 "left out: morph targets",
                                                  "left out: skins: meshes are as stored"});
 }
 
