@@ -12,7 +12,6 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/why/what_if_check.h"
@@ -89,12 +88,13 @@ Result<std::string> pointsSource(std::string source) {
     return source;
 }
 
-Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit) {
+Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit,
+                                   Unpack unpack) {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
     if (input.value().starts_with(kScenePrefix)) return buildScene(input.value());
     if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
-    return readPoints(std::filesystem::path(input.value()), limit);
+    return readPoints(std::filesystem::path(input.value()), limit, unpack);
 }
 
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
@@ -132,8 +132,8 @@ Status goToPlace(RunCursor& cursor, std::string_view place) {
     return Error{absenceText(cursor, *address)};
 }
 
-LessonRuns::LessonRuns(std::filesystem::path folder, const ByteLimit& limit)
-    : folder_(std::move(folder)), limit_(limit) {}
+LessonRuns::LessonRuns(std::filesystem::path folder, const ByteLimit& limit, Unpack unpack)
+    : folder_(std::move(folder)), limit_(limit), unpack_(unpack) {}
 
 Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting) {
     const Result<RunSpec> spec = runSpec(setting);
@@ -146,7 +146,7 @@ Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSpe
     const std::string key = source + '\n' + keyOf(spec);
     if (const auto known = cursors_.find(key); known != cursors_.end()) return known->second.get();
     if (files_.count(source) == 0) {
-        Result<PointFile> file = readLessonPoints(source, limit_);
+        Result<PointFile> file = readLessonPoints(source, limit_, unpack_);
         if (!file) return file.error();
         files_.emplace(source, std::move(file.value()));
     }

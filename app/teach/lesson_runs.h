@@ -11,6 +11,7 @@
 #include "question.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/points/point_file.h"
 #include "spiraling_edge/run/run_cursor.h"
 
@@ -23,8 +24,10 @@ Result<PointFile> buildScene(const std::string& source);
 /// lessons form a cycle, or if one of them is faulty.
 Result<std::string> pointsSource(std::string source);
 
-/// Reads the points of pointsSource(): a built-in scene, or a file.
-Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit = {});
+/// Reads the points of pointsSource(): a built-in scene, or a file, also a packed one if there is
+/// an `unpack`.
+Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit = {},
+                                   Unpack unpack = nullptr);
 
 /// The input of a lesson in the folder `folder` as a path for the program, or scene:ID.
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder);
@@ -46,8 +49,9 @@ Status goToPlace(RunCursor& cursor, std::string_view place);
 /// The runs of one lesson.
 class LessonRuns {
   public:
-    /// `folder`: that of the lesson's file; `limit`: of each of its inputs.
-    explicit LessonRuns(std::filesystem::path folder, const ByteLimit& limit = {});
+    /// `folder`: that of the lesson's file; `limit`, `unpack`: of each of its inputs.
+    explicit LessonRuns(std::filesystem::path folder, const ByteLimit& limit = {},
+                        Unpack unpack = nullptr);
 
     /// The cursor of the run of a setting; valid as long as this object. Fails as prepareRun().
     Result<RunCursor*> cursorOf(const StepSetting& setting);
@@ -57,6 +61,7 @@ class LessonRuns {
   private:
     std::filesystem::path folder_;
     ByteLimit limit_;
+    Unpack unpack_;
     std::map<std::string, PointFile> files_;
     std::map<std::string, std::unique_ptr<RunCursor>> cursors_;
 };

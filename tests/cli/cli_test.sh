@@ -1373,6 +1373,15 @@ files_of_other_programs_are_read() {
     says out "read       line 1 is the number of points"
     expect 0 info count.pts --json
     says out '"line 1 is the number of points"'
+    # Heights without a value are set aside, unless the user says that they are places.
+    awk 'NR % 20 == 3 { $3 = -999 } { print $1, $2, $3 }' sphere.xyz >raster.xyz
+    expect 0 info raster.xyz
+    says out "where a missing value was written"
+    expect 0 info raster.xyz --keep-sentinels
+    grep -q "missing value" out && fail "far values are not kept"
+    expect 1 doctor raster.xyz
+    says out "try: spiraling-edge doctor raster.xyz --fix OUT.ply"
+    expect 1 doctor raster.xyz --keep-sentinels -q
     head -c 300 sphere.xyz.gz >cut.xyz.gz
     expect 3 info cut.xyz.gz
     says err "cut.xyz.gz: the gzip data end too early"
@@ -2205,6 +2214,13 @@ lessons_begin_with_an_input() {
     grep -q '^input = "points.ply"$' folder/new.lesson.md || fail "input: $(grep input folder/new.lesson.md)"
     expect 0 lesson check folder/new.lesson.md
     says out "new.lesson.md: good:"
+    gzip folder/points.ply
+    expect 0 lesson new folder/points.ply.gz -o folder/packed.lesson.md
+    grep -q '^input = "points.ply.gz"$' folder/packed.lesson.md || fail "input: $(grep input folder/packed.lesson.md)"
+    expect 0 lesson check folder/packed.lesson.md
+    expect 3 lesson check folder/packed.lesson.md --most-bytes 1000
+    says out "holds more than 1000 bytes"
+    gunzip folder/points.ply.gz
     expect 0 lesson new scene:torus
     says out "# A lesson on scene:torus"
     expect 2 lesson new folder/points.ply -o new.d/new.lesson.md

@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "teach/embedded_lessons.h"
 #include "teach/find_named.h"
 #include "teach/lesson_check.h"
@@ -191,7 +192,7 @@ ExitCode showLesson(const LessonArguments& arguments) {
         printText(lessonPage(reading.lesson));
         return ExitCode::Good;
     }
-    LessonRuns runs(opened.folder, arguments.limit);
+    LessonRuns runs(opened.folder, arguments.limit, unpackGzip);
     printText(require(lessonPageWithAnswers(reading.lesson, runs), ExitCode::Input));
     return ExitCode::Good;
 }
@@ -213,7 +214,7 @@ ExitCode checkLessons(const LessonArguments& arguments) {
     for (const std::string& name : arguments.names) {
         const OpenedLesson opened = openLesson(name);
         std::vector<LessonFault> faults = opened.reading.faults;
-        LessonRuns runs(opened.folder, arguments.limit);
+        LessonRuns runs(opened.folder, arguments.limit, unpackGzip);
         if (faults.empty()) faults = teach::checkLesson(opened.reading.lesson, runs);
         for (const LessonFault& fault : faults) {
             answer.text += printable(teach::faultText(fault, name)) + "\n";

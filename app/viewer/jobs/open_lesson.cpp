@@ -4,6 +4,7 @@
 
 #include "run/packed_file.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
@@ -96,7 +97,7 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
     OpenedLesson opened;
     opened.source = source;
     if (isLessonFile(source)) opened.folder = std::filesystem::path(source).parent_path();
-    teach::LessonRuns runs(opened.folder);
+    teach::LessonRuns runs(opened.folder, {}, unpackGzip);
     if (!progress(0.1)) return cancelled;
     const std::vector<teach::LessonFault> faults = teach::checkLesson(lesson, runs);
     if (!faults.empty()) return faultsError(faults, name);
