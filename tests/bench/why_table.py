@@ -99,6 +99,11 @@ def why(program, file, rules, *subject):
     return answer
 
 
+def what_ifs(answer):
+    """The options of the run that proves an answer."""
+    return [word for line in answer["what_if"] for word in ("--what-if", line)]
+
+
 def main():
     program, count, *files = sys.argv[1:]
     tally, false = {}, 0
@@ -110,7 +115,7 @@ def main():
                 answer = why(program, file, rules, option, ",".join(map(str, subject)))
                 if answer is None or not add(tally, (rules, kind), answer):
                     continue
-                _, other, _ = mesh_of(program, file, ["--rules", rules, "--what-if", *answer["what_if"]])
+                _, other, _ = mesh_of(program, file, ["--rules", rules, *what_ifs(answer)])
                 if holds(other, subject) == answer["present"] or holds(faces, subject) != answer["present"]:
                     print(f"FALSE: {file} {rules} {option} {subject}: {answer['what_if']}", file=sys.stderr)
                     false += 1
@@ -120,7 +125,7 @@ def main():
                 answer = why(program, file, rules, "--failure", name)
                 if answer is None or not add(tally, (rules, "fault"), answer):
                     continue
-                left = failures(program, file, ["--rules", rules, "--what-if", *answer["what_if"]])
+                left = failures(program, file, ["--rules", rules, *what_ifs(answer)])
                 if (kind, members) in [(k, p) for _, k, p in left]:
                     print(f"FALSE: {file} {rules} {name}: {answer['what_if']}", file=sys.stderr)
                     false += 1

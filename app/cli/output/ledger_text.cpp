@@ -77,9 +77,9 @@ Answer answerOf(const Ledger& ledger) {
     answer.json["present"] = ledger.present;
     addLedger(ledger, answer);
     if (!ledger.inversions.empty()) {
-        answer.text += "\nInverted: --what-if";
+        answer.text += "\nInverted:";
         for (const WhatIf& each : ledger.inversions) {
-            answer.text += fmt::format(" \"{}\"", lineOf(each));
+            answer.text += fmt::format(" --what-if \"{}\"", lineOf(each));
             answer.json["what_if"].push_back(lineOf(each));
         }
         answer.text += "\n";
