@@ -28,7 +28,7 @@ using ScalarOf =
 /// each element, or of one dimension where it is a number itself. Nothing is copied.
 template <typename Element>
 py::array viewOf(const std::vector<Element>& list, const std::shared_ptr<const void>& owner) {
-    constexpr py::ssize_t kColumns = sizeof(Element) / sizeof(ScalarOf<Element>);
+    constexpr py::ssize_t kColumns = std::is_same_v<Element, ScalarOf<Element>> ? 1 : 3;
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(list.size())};
     if (kColumns > 1) shape.push_back(kColumns);
     const py::capsule base(new std::shared_ptr<const void>(owner), [](void* held) {

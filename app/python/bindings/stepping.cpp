@@ -175,6 +175,7 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
             return provedWhy(*run->points, params, subject, limits, progress);
         }));
     std::vector<std::string> inversions;
+    inversions.reserve(ledger.inversions.size());
     for (const WhatIf& each : ledger.inversions) inversions.push_back(lineOf(each));
     std::optional<std::string> rule;
     if (ledger.preventedBy != nullptr)
