@@ -85,9 +85,9 @@ class PreventionSearch {
     bool compareAt(const std::vector<std::uint32_t>& places) {
         Stepper plain(points_, params_);
         for (const std::uint32_t place : places) {
-            const auto isThere = [&] { return plain.state().counters.pivots + 1 >= place; };
-            if (!advanceUntil(plain, left_, goesOn_, isThere)) return false;
-            if (isThere() && !compareHere(plain, place == places.back())) return false;
+            if (!advanceTo(plain, place, left_, goesOn_)) return false;
+            if (hasReached(plain, place) && !compareHere(plain, place == places.back()))
+                return false;
         }
         return true;
     }

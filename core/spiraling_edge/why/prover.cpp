@@ -136,9 +136,7 @@ class Prover {
         std::uint64_t left = ~std::uint64_t{0};
         std::vector<Invertible> possible;
         for (Invertible& each : all_) {
-            const std::uint32_t pivot = each.inverse.pivot;
-            const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
-            if (!advanceUntil(stepper, left, goesOn_, isThere) || !goesOn_()) return false;
+            if (!advanceTo(stepper, each.inverse.pivot, left, goesOn_) || !goesOn_()) return false;
             const Params forked = with(each);
             if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
             each.showsAtOnce = aim_.showsAtOnce && showsAtOnce(forked, stepper.state());
@@ -171,9 +169,8 @@ class Prover {
         for (const Invertible& each : all_) {
             if (each.listed != kNone || each.showsAtOnce) continue;
             const std::uint32_t pivot = each.inverse.pivot;
-            const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
-            if (!advanceUntil(stepper, left, goesOn_, isThere) || !goesOn_()) return false;
-            if (isThere()) addPairs(each, stepper.state(), left, pairs);
+            if (!advanceTo(stepper, pivot, left, goesOn_) || !goesOn_()) return false;
+            if (hasReached(stepper, pivot)) addPairs(each, stepper.state(), left, pairs);
         }
         all_ = std::move(pairs);
         return true;
@@ -299,6 +296,14 @@ bool advanceUntil(Stepper& stepper, std::uint64_t& left, const GoesOn& goesOn,
         if (--left % kPivotsPerReport == 0 && !goesOn()) return false;
     }
     return true;
+}
+
+bool hasReached(const Stepper& stepper, std::uint32_t pivot) {
+    return stepper.state().counters.pivots + 1 >= pivot;
+}
+
+bool advanceTo(Stepper& stepper, std::uint32_t pivot, std::uint64_t& left, const GoesOn& goesOn) {
+    return advanceUntil(stepper, left, goesOn, [&] { return hasReached(stepper, pivot); });
 }
 
 std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const ProofAim& aim,

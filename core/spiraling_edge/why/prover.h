@@ -80,6 +80,11 @@ using GoesOn = std::function<bool()>;
 bool advanceUntil(Stepper& stepper, std::uint64_t& left, const GoesOn& goesOn,
                   const std::function<bool()>& done);
 
+/// As advanceUntil(), to the state before this pivot.
+bool advanceTo(Stepper& stepper, std::uint32_t pivot, std::uint64_t& left, const GoesOn& goesOn);
+/// True if this pivot is the next one, or past.
+bool hasReached(const Stepper& stepper, std::uint32_t pivot);
+
 /// Runs a fork of the run to its end, within `left` steps, which it lowers. Its effect on the
 /// answer, None where the steps do not last: State::finished() is false then. Nothing if cancelled.
 std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const ProofAim& aim,
