@@ -192,7 +192,7 @@ bool isNamedSentinel(double value) {
     for (const double power : {size, size + 1.0}) {
         int exponent = 0;
         if (power >= kLeastOfTwo && std::frexp(power, &exponent) == 0.5) return true;
-        if (power == std::pow(10.0, std::round(std::log10(power)))) return true;
+        if (isRound(power)) return true;
     }
     return false;
 }
