@@ -176,7 +176,7 @@ void addFixed(const Visit& visit, Answer& answer) {
                             {"findings", findingsAnswer(visit.left, shellPath(visit.output)).json}};
 }
 
-/// What is said of commands that were not tried.
+/// A line on commands that were not tried; empty if all were.
 std::string untriedText(const Diagnosis& diagnosis) {
     const auto isUntried = [](const Finding& each) { return each.hasRemedy() && !each.tried; };
     const auto& findings = diagnosis.findings;

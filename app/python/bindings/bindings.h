@@ -72,9 +72,9 @@ void bindMeshes(pybind11::module_& module);
 /// Adds Cursor and Stepper, and why().
 void bindStepping(pybind11::module_& module);
 
-/// What is pickled of points.
+/// The contents of a pickle of points.
 pybind11::tuple pickled(const Input& input);
-/// What is pickled of prepared points: these as they were taken, and the options.
+/// The contents of a pickle of prepared points: these as they were taken, and the options.
 pybind11::tuple pickled(const PreparedRun& run);
 /// The points of a pickle.
 Input inputFrom(const pybind11::tuple& pickle);

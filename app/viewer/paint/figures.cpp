@@ -57,7 +57,7 @@ std::string decisionSvg(const PointSet& points, const Params& params, const Deci
 
 namespace {
 
-/// The means of squares of so many pixels a side: smooth outlines.
+/// Pixels a side of the squares whose means smooth the outlines.
 constexpr int kFiner = 2;
 
 /// The view of triangles from a direction, without perspective; its unit is their width in it.

@@ -1,4 +1,4 @@
-/// What stands over a view and above it: labels, and the title of one of two views.
+/// The texts over a view and above it: labels, and the title of one of two views.
 #pragma once
 
 #include <span>

@@ -12,7 +12,7 @@ using namespace se::test;
 
 namespace {
 
-/// What is found in each shared set, by its name: examined once, since that takes seconds.
+/// The diagnosis of each shared set, by its name: examined once, since that takes seconds.
 const std::map<std::string, Diagnosis>& diagnosesOfSets() {
     static std::map<std::string, Diagnosis> diagnoses;
     const std::filesystem::path folder = sharedFile("points");
