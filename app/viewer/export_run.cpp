@@ -80,7 +80,7 @@ Picture drawPicture(Application& application, Target& target, glm::ivec2 size, i
     if (std::max(size.x, size.y) <= most)
         return drawTile(application, target, size, size, frames, look.supersample);
     // Only the layout of the whole is needed before its tiles.
-    look.tile = PictureTile{glm::ivec2(0), glm::ivec2(1), 0};
+    look.tile = kLayoutAlone;
     if (frames > 1) drawTile(application, target, size, look.tile->size, frames - 1, 1);
     const int factor = look.supersample;
     Picture whole{size / factor, {}};

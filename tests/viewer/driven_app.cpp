@@ -99,6 +99,7 @@ DrivenApp::DrivenApp(const Options& options, glm::ivec2 size)
       size_(size) {
     if (!display_) return;
     target_ = std::make_unique<Target>(0);
+    ui.picture.tile = kLayoutAlone;
     REQUIRE(app.start(1.0F).ok());
     mapKeys(ImGui::GetIO());
     settle();
@@ -106,13 +107,16 @@ DrivenApp::DrivenApp(const Options& options, glm::ivec2 size)
 
 DrivenApp::~DrivenApp() = default;
 
+bool DrivenApp::frame(double seconds) {
+    target_->begin(ui.picture.tile ? ui.picture.tile->size : size_);
+    app.poll();
+    const bool drawn = app.frame(size_, seconds);
+    target_->end();
+    return drawn;
+}
+
 void DrivenApp::frames(int count) {
-    for (int i = 0; i < count; ++i) {
-        target_->begin(size_);
-        app.poll();
-        app.frame(size_, 1.0 / 60.0);
-        target_->end();
-    }
+    for (int i = 0; i < count; ++i) frame(1.0 / 60.0);
 }
 
 void DrivenApp::settle() {
@@ -120,10 +124,7 @@ void DrivenApp::settle() {
     for (int i = 0; i < 2000 && still < kFramesOfInput; ++i) {
         session.waitUntilDone();
         if (Session* other = app.otherSession(); other != nullptr) other->waitUntilDone();
-        target_->begin(size_);
-        app.poll();
-        const bool drawn = app.frame(size_, kLongFrame);
-        target_->end();
+        const bool drawn = frame(kLongFrame);
         if (!drawn && app.animating()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         still = app.animating() || app.keysHaveToWait() ? 0 : still + 1;
     }
@@ -270,12 +271,18 @@ void DrivenApp::resize(glm::ivec2 size) {
 }
 
 Picture DrivenApp::picture() {
+    ui.picture.tile.reset();
+    // The finish of the view comes once the camera has rested.
+    do {
+        app.redraw();
+        frame(kLongFrame);
+    } while (app.painter().unfinished());
     target_->begin(size_);
     app.redraw();
-    app.poll();
     app.frame(size_, 1.0 / 60.0);
     Picture read = readPicture(size_);
     target_->end();
+    ui.picture.tile = kLayoutAlone;
     return read;
 }
 

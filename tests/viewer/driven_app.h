@@ -14,8 +14,8 @@
 
 namespace se::view::test {
 
-/// The program and its user: after every input, frames are drawn until nothing moves and no work is
-/// left.
+/// The program and its user: after every input, frames are made until nothing moves and no work is
+/// left. Of these only the layout is drawn, since software takes most of the time for pixels.
 class DrivenApp {
   public:
     /// `arguments` as on the command line.
@@ -77,6 +77,8 @@ class DrivenApp {
     void save(const std::filesystem::path& path);
 
   private:
+    bool frame(double seconds);
+
     glm::ivec2 size_;
     std::unique_ptr<Target> target_;
 };

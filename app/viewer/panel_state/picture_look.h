@@ -23,6 +23,8 @@ struct PictureTile {
     int margin = 0;
     friend bool operator==(const PictureTile&, const PictureTile&) = default;
 };
+/// The tile of frames of which only the layout is needed: a pixel of all.
+inline constexpr PictureTile kLayoutAlone{glm::ivec2(0), glm::ivec2(1), 0};
 
 /// The tiles of a picture of `size` pixels, row by row, such that neither side of what is drawn
 /// exceeds `most`; sides are multiples of `multiple`, at the right and lower edge as far as that of
