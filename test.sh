@@ -58,8 +58,8 @@ judge() {
 step() { run "$@"; judge "$1"; }
 
 configure_asan() { cmake --preset asan -B build-test/asan; }
-# Core's own tests run in the other build; tests/cli compares golden logs of the two.
-lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests teach_tests core_bench viewer_bench driven-viewer agreement
+# Core's own tests run in the other build, but for the long ones; tests/cli compares golden logs of the two.
+lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests teach_tests long_tests core_bench viewer_bench driven-viewer agreement
     spiraling_edge_python)
 lean_flags=(-DSPIRALING_EDGE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELEASE=-O2")
 configure_lean() {
@@ -90,6 +90,7 @@ lean_tests() { tests_of build-test/lean --label-exclude 'core|fuzz' --exclude-re
 # Tests that only compute, in the time that the window's tests leave: those depend on a clock.
 meanwhile() {
     chrt --idle -p 0 "$BASHPID" 2>/dev/null || renice -n 19 "$BASHPID" >/dev/null
+    run long_tests build-test/lean/tests/long_tests --test-suite=long
     run asan_tests tests_of build-test/asan
     run tidy .ci/tidy.sh build-test/lean
 }
@@ -108,6 +109,7 @@ step consumer consumer
 meanwhile &
 step lean_tests lean_tests
 wait
+judge long_tests
 judge asan_tests
 judge tidy
 

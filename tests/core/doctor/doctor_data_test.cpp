@@ -28,7 +28,7 @@ const std::map<std::string, Diagnosis>& diagnosesOfSets() {
 
 }  // namespace
 
-TEST_CASE("doctor: no clean set has a problem") {
+TEST_CASE("doctor: no clean set has a problem" * doctest::test_suite("long")) {
     for (const auto& [name, diagnosis] : diagnosesOfSets()) {
         // As their README says: copies and no normals, noise of 0.4 spacings, a single point,
         // points on a half-grid, normals of both sides. Of the bones that nearly touch one point is

@@ -69,7 +69,8 @@ double shareFound(const std::string& check, const std::vector<Cause>& causes) {
 
 }  // namespace
 
-TEST_CASE("doctor: the five shapes as they are have no cause with a name") {
+TEST_CASE("doctor: the five shapes as they are have no cause with a name" *
+          doctest::test_suite("long")) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         for (const PointFile& file : shapes(seed)) CHECK(problemNames(file) == "");
     }
@@ -136,7 +137,8 @@ PointFile withNormals(PointFile file, void (*plant)(PointFile&, std::size_t, Ran
 
 }  // namespace
 
-TEST_CASE("doctor: normals that do not fit are found, with their kind, in 95 of 100 files") {
+TEST_CASE("doctor: normals that do not fit are found, with their kind, in 95 of 100 files" *
+          doctest::test_suite("long")) {
     CHECK(shareFound("unfit_normals", {{"tilt", plantTilt, "they are tilted"},
                                        {"chance", plantChance, "they look random"},
                                        {"some chance", plantSomeChance, "do not fit"},
@@ -287,7 +289,7 @@ PointFile scanned(std::size_t shape, int lines, double ratio, Random& random) {
 
 }  // namespace
 
-TEST_CASE("doctor: pairs of points are found in 95 of 100 files") {
+TEST_CASE("doctor: pairs of points are found in 95 of 100 files" * doctest::test_suite("long")) {
     CHECK(shareFound("twins", {{"pairs", plantPairs, "in pairs"},
                                {"shifted", plantShifted, "in pairs", "two_layers"},
                                {"some pairs", plantSomePairs, "in pairs"}}) >= 95.0);
@@ -329,7 +331,8 @@ TEST_CASE("doctor: the corners of a beam are no pairs") {
     CHECK(findingOf(examined(beam), "twins") == nullptr);
 }
 
-TEST_CASE("doctor: lines are found in 95 of 100 files, with their distances") {
+TEST_CASE("doctor: lines are found in 95 of 100 files, with their distances" *
+          doctest::test_suite("long")) {
     int count = 0;
     int right = 0;
     Random random(6);
@@ -603,7 +606,8 @@ void roundToSixDigits(PointFile& file) {
 
 }  // namespace
 
-TEST_CASE("doctor: lost digits are found in 95 of 100 files, and no others") {
+TEST_CASE("doctor: lost digits are found in 95 of 100 files, and no others" *
+          doctest::test_suite("long")) {
     struct Rounding {
         void (*round)(PointFile&);
         std::array<double, 3> lost;  ///< Distances of the nearest.
@@ -744,7 +748,8 @@ void plantHuge(PointFile& file, std::size_t strength, Random& random) {
 
 }  // namespace
 
-TEST_CASE("doctor: missing values are found in 95 of 100 files, and the rest is as without them") {
+TEST_CASE("doctor: missing values are found in 95 of 100 files, and the rest is as without them" *
+          doctest::test_suite("long")) {
     CHECK(shareFound("sentinels", {{"zeros", plantZeros, "(0, 0, 0)"},
                                    {"float", plantFloat, "-3.4028234663852886e+38"},
                                    {"heights", plantHeights, "-9999"},

@@ -93,7 +93,8 @@ std::string misjudged(const Plant& plant, const Diagnosis& diagnosis) {
 
 }  // namespace
 
-TEST_CASE("doctor: layers, noise and outliers are judged right in 95 of 100 planted clouds") {
+TEST_CASE("doctor: layers, noise and outliers are judged right in 95 of 100 planted clouds" *
+          doctest::test_suite("long")) {
     int count = 0;
     int wrong = 0;
     for (const int shape : {0, 1}) {

@@ -289,7 +289,7 @@ TEST_CASE("GLB: numbers that point outside of the file are refused before they a
                    "name a vertex beyond the 4"));
 }
 
-TEST_CASE("GLB: nodes cannot place more points than memory holds") {
+TEST_CASE("GLB: nodes cannot place more points than memory holds" * doctest::test_suite("long")) {
     // Each node places the square with four vertices; a thousand primitives share no vertices.
     std::string primitives;
     for (int i = 0; i < 1000; ++i) {

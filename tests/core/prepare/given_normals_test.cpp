@@ -276,7 +276,8 @@ TEST_CASE("given normals: points on the edges of a part alone say nothing agains
     CHECK(judgeOf(file).facts.normalsFit);
 }
 
-TEST_CASE("given normals: those of the shared sets fit, and tilted or constant ones do not") {
+TEST_CASE("given normals: those of the shared sets fit, and tilted or constant ones do not" *
+          doctest::test_suite("long")) {
     // Chosen on one half of the sets, judged on the other.
     std::array<std::size_t, 2> sets{};
     std::array<std::size_t, 2> fitting{};

@@ -145,7 +145,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("noise: all of the work reports progress, and can be cancelled at any time") {
+TEST_CASE("noise: all of the work reports progress, and can be cancelled at any time" *
+          doctest::test_suite("long")) {
     PointFile file = noisySphere(2000, 1.0, 5);
     file.normal.clear();
     PrepareOptions options;
