@@ -43,11 +43,6 @@ constexpr MomentRow kMoments[] = {{"created", "created", &FailureMoments::create
                                   {"decided", "decided", &FailureMoments::decided},
                                   {"first touched", "first_touched", &FailureMoments::touched}};
 
-/// "prevents", "stays", or "unknown" if too many failures are left to decide.
-std::string_view effectOf(const Remedy& remedy) {
-    return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
-}
-
 }  // namespace
 
 std::string readingText(const Reading& reading) {
@@ -164,29 +159,6 @@ Answer answerOf(const RunFailure& failure) {
                                    toString(line.event.address), describe(line.event));
         if (line.reading) answer.text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
         answer.json[moment.key] = lineJson(line);
-    }
-    return answer;
-}
-
-Answer answerOf(const Remedies& remedies) {
-    Answer answer{
-        fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
-                    remedies.ofClass, remedies.all),
-        {{"of_class", remedies.ofClass}, {"all", remedies.all}, {"tried", Json::array()}}};
-    const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
-                                 [](const Remedy& each) { return each.prevents; });
-    if (!any) answer.text += "  no rule of --rules robust prevents it\n";
-    for (const Remedy& each : remedies.tried) {
-        const bool isRule = each.rule != nullptr;
-        const std::string option =
-            fmt::format("--{} {}{}", isRule ? "rule" : "rules", nameOf(each), isRule ? "=on" : "");
-        answer.text += fmt::format("  {:<22} {:<10} {:>6} of this class, {:>6} in all\n", option,
-                                   effectOf(each), each.ofClass, each.all);
-        answer.json["tried"].push_back({{isRule ? "rule" : "rules", nameOf(each)},
-                                        {"prevents", each.prevents},
-                                        {"unknown", each.unknown},
-                                        {"of_class", each.ofClass},
-                                        {"all", each.all}});
     }
     return answer;
 }

@@ -9,7 +9,6 @@
 #include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/why/nearest_decisions.h"
-#include "spiraling_edge/why/remedy.h"
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::cli {
@@ -26,8 +25,6 @@ Answer answerOf(const NearestDecisions& decisions);
 Answer answerOf(const FoundDecisions& found);
 /// A failure with its moments.
 Answer answerOf(const RunFailure& failure);
-/// The rules that would have prevented a failure.
-Answer answerOf(const Remedies& remedies);
 /// All failures of a run, by class; in the text of each class the first `limit`.
 Answer answerOf(const RunFailureSearch& found, std::size_t limit);
 

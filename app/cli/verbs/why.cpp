@@ -100,10 +100,7 @@ struct WhyArguments {
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
-        app.add_flag(
-            "--remedy", remedy,
-            "With --failure: also the rules of --rules robust that would have prevented it, "
-            "by running again with each of them on");
+        app.add_flag("--remedy", remedy, "Not needed: the answer names the rule")->group("");
         app.add_flag("--prove", prove, "Not needed: --failure proves")->group("");
         app.add_flag("--more", more,
                      "With --point, --edge, --triangle and --failure: look for the proof with up "
@@ -139,8 +136,8 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer about the failure of a choice: its three moments, the proof of its cause, and what would
-/// have prevented it.
+/// Answer about the failure of a choice: its three moments, the proof of its cause, and the rule
+/// that prevents it.
 Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                   const RunFailureSearch& found, const PreparedInput& run, ProgressLine& line) {
     const RunFailure failure = pickFailure(found, choice, arguments.input.input());
@@ -152,13 +149,6 @@ Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
         }));
     answer.text += "\n" + proof.text;
     answer.json.update(proof.json);
-    if (!arguments.remedy) return answer;
-    const Answer remedies =
-        answerOf(searched(arguments, "trying", line, [&](const Progress& progress) {
-            return findRemedies(run.points, run.params, failure.failure, progress);
-        }));
-    answer.text += remedies.text;
-    answer.json["remedies"] = remedies.json;
     return answer;
 }
 
@@ -208,8 +198,8 @@ ExitCode whyVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     // Mistakes in the query are reported before the long work.
     const auto parsed = DecisionQuery::parse(arguments.query);
-    if (arguments.remedy && arguments.failure.empty())
-        throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
+    if (arguments.remedy && !arguments.quiet)
+        printNote("--remedy is not needed: the answer names the rule that prevents it.\n");
     if (arguments.prove && !arguments.quiet && arguments.failures)
         printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())

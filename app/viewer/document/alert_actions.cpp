@@ -20,11 +20,6 @@ namespace se::view {
 
 namespace {
 
-RunSpec rulesWith(const RunSpec& rules, const Remedy& remedy) {
-    if (remedy.rule == nullptr) return withSet(rules, remedy.set);
-    return withRule(rules, remedy.rule->name, 1.0);
-}
-
 /// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
 /// without a fault was found.". Requires alerts of the new run.
 std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
@@ -197,8 +192,8 @@ bool showsFinishedMesh(const CommandContext& context) {
            context.session.atEnd();
 }
 
-void switchOn(CommandContext& context, const Remedy& remedy) {
-    context.document.rerun(rulesWith(context.session.input().spec(), remedy), Resume::End);
+void switchOn(CommandContext& context, const RuleSetting& rule) {
+    context.document.rerun(withRule(context.session.input().spec(), rule.name, 1.0), Resume::End);
 }
 
 bool canFix(const CommandContext& context) {
@@ -245,10 +240,10 @@ void closeHoles(CommandContext& context, double width) {
     context.document.rerun(withRule(rules, "holewidth", width), Resume::End);
 }
 
-void showBeside(CommandContext& context, const Remedy& remedy) {
+void showBeside(CommandContext& context, const RuleSetting& rule) {
     const RunSpec& spec = context.session.input().spec();
     actions::enterCompare(context);
-    context.compare.begin(CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy))));
+    context.compare.begin(CompareWith::otherRun(withRulesOf(spec, withRule(spec, rule.name, 1.0))));
 }
 
 namespace {

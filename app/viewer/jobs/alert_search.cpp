@@ -23,8 +23,6 @@ void RunAlerts::open(std::shared_ptr<const Model> model) {
     placeOf_.clear();
     chosen_.reset();
     place_.reset();
-    remediesOf_.reset();
-    remedies_.cancel();
     reduction_.cancel();
 }
 
@@ -57,13 +55,11 @@ bool RunAlerts::poll() {
     const bool known = query_.poll();
     if (known && done()) indexAnswer();
     news_ = news_ || known;
-    const bool reduced = reduction_.poll();
-    return remedies_.poll() || reduced || known;
+    return reduction_.poll() || known;
 }
 
 void RunAlerts::waitUntilDone() {
     query_.waitUntilDone();
-    remedies_.waitUntilDone();
     reduction_.waitUntilDone();
 }
 
@@ -141,14 +137,6 @@ void RunAlerts::choosePlace(std::size_t place) {
     chosen_ = alerts.empty() ? std::nullopt : std::optional(alerts.front());
     place_ = place;
     ++revision_;
-}
-
-void RunAlerts::seekRemedies() {
-    assert(shown() != nullptr);
-    remediesOf_ = chosen_;
-    remedies_.start([model = model_, failure = shown()->failure](const Progress& progress) {
-        return findRemedies(model->points, model->params, failure, progress);
-    });
 }
 
 void RunAlerts::reduce(const RunSpec& spec, std::shared_ptr<const PointFile> input,

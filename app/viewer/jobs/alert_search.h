@@ -1,5 +1,5 @@
 /// Searches in threads of their own: for all failures of a run (core's failure_moments.h), and for
-/// a rule that would have prevented the one that is shown (core's remedy.h).
+/// the fewest points that still end in the one that is shown (core's reduce.h).
 #pragma once
 
 #include <limits>
@@ -17,7 +17,6 @@
 #include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/reduce.h"
-#include "spiraling_edge/why/remedy.h"
 #include "spiraling_edge/why/trial.h"
 
 namespace se::view {
@@ -100,12 +99,6 @@ class RunAlerts {
     /// The place that is shown as a whole; empty if an alert alone is, or nothing.
     std::optional<std::size_t> place() const { return place_; }
 
-    /// Tries all rules for the alert that is shown; a search in progress is cancelled. Requires
-    /// that an alert is shown.
-    void seekRemedies();
-    /// Rules that would have prevented the alert remediesOf().
-    const BackgroundQuery<Remedies>& remedies() const { return remedies_; }
-    BackgroundQuery<Remedies>& remedies() { return remedies_; }
     /// Reduces the points of a run to the fewest that still end in the alert that is shown; a
     /// reduction in progress is cancelled. `input` is the file that prepare() took. Requires that
     /// an alert is shown whose class a mesh alone can have.
@@ -115,8 +108,6 @@ class RunAlerts {
     const FailureClass* reducedClass() const { return reducedClass_; }
     BackgroundQuery<Reduced>& reduction() { return reduction_; }
     const BackgroundQuery<Reduced>& reduction() const { return reduction_; }
-    /// The alert of the current or last search.
-    std::optional<std::size_t> remediesOf() const { return remediesOf_; }
     /// Grows when another alert is shown.
     std::uint32_t revision() const { return revision_; }
 
@@ -139,8 +130,6 @@ class RunAlerts {
     std::optional<std::size_t> chosen_;
     std::optional<std::size_t> place_;
     bool news_ = false;
-    std::optional<std::size_t> remediesOf_;
-    BackgroundQuery<Remedies> remedies_;
     const FailureClass* reducedClass_ = nullptr;
     BackgroundQuery<Reduced> reduction_;
     std::uint32_t revision_ = 0;

@@ -624,6 +624,30 @@ bool isSame(const MeshFailure& a, const MeshFailure& b) {
     return a.kind == b.kind && a.points == b.points;
 }
 
+namespace {
+
+/// True if the classes mean the same failure: points in no triangle near the surface and far from
+/// it do, and loops of any width.
+bool sameProblem(const FailureClass& a, const FailureClass& b) {
+    const auto bothOf = [&](std::string_view one, std::string_view other) {
+        return (a.name == one || a.name == other) && (b.name == one || b.name == other);
+    };
+    return &a == &b || bothOf("lost_points", "isolated_points") || bothOf("holes", "openings");
+}
+
+}  // namespace
+
+bool isStillThere(const MeshFailure& failure, std::span<const MeshFailure> failures) {
+    const std::size_t enough = std::min<std::size_t>(2, failure.points.size());
+    return std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& each) {
+        if (!sameProblem(*each.kind, *failure.kind)) return false;
+        const auto shared = std::count_if(each.points.begin(), each.points.end(), [&](Index p) {
+            return std::binary_search(failure.points.begin(), failure.points.end(), p);
+        });
+        return static_cast<std::size_t>(shared) >= enough;
+    });
+}
+
 bool isLostPoint(const MeshFailure& failure) {
     return failure.kind->find != nullptr && failure.triangles.empty() && failure.points.size() == 1;
 }

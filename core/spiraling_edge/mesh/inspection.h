@@ -109,6 +109,9 @@ std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Tri
 bool isLoop(const MeshFailure& failure);
 /// True for failures of one class with the same points.
 bool isSame(const MeshFailure& a, const MeshFailure& b);
+/// True if the failure is still among `failures`. One of its class that shares two points with it,
+/// or its only point, counts as the same: a hole that has become smaller is still there.
+bool isStillThere(const MeshFailure& failure, std::span<const MeshFailure> failures);
 /// True for one point in no triangle.
 bool isLostPoint(const MeshFailure& failure);
 /// Of a loop, LoopShape::width().

@@ -7,7 +7,6 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/prover.h"
-#include "spiraling_edge/why/remedy.h"
 
 namespace se {
 namespace {
@@ -25,7 +24,7 @@ Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
     Effect effect = Effect::Changed;
     for (const MeshFailure& each : left) {
         if (isSame(each, failure)) return Effect::None;
-        if (isStillThere(failure, {each}) && !isKnown(each))
+        if (isStillThere(failure, {&each, 1}) && !isKnown(each))
             effect = wide ? Effect::None : std::min(effect, Effect::Replaced);
     }
     return effect;

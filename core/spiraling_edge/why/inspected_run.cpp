@@ -62,14 +62,4 @@ InspectedRun inspectEnd(const PointSet& points, std::vector<Triangle> mesh,
     return InspectedRun{std::move(found), std::move(mesh)};
 }
 
-std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
-                                       const Progress& progress) {
-    LeftOverRings leftOver;
-    std::optional<State> end = sweep(
-        points, params, [&](const SweptPivot& pivot) { leftOver.add(points, pivot.events); },
-        progress);
-    if (!end) return {};
-    return inspectEnd(points, takeMesh(std::move(*end)), leftOver);
-}
-
 }  // namespace se

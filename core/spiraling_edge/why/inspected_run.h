@@ -67,8 +67,5 @@ class LeftOverRings {
 /// The inspection of the mesh at the end of a run that left over these rings.
 InspectedRun inspectEnd(const PointSet& points, std::vector<Triangle> mesh,
                         const LeftOverRings& leftOver);
-/// Runs `points` to the end and inspects the result; nothing if `progress` cancelled.
-std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
-                                       const Progress& progress);
 
 }  // namespace se

@@ -10,7 +10,6 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/stepper/stepper.h"
-#include "spiraling_edge/why/remedy.h"
 
 namespace se {
 namespace {
@@ -22,11 +21,14 @@ struct Candidate {
     bool differs = false;
 };
 
+/// The rules that `robust` has on and `params` has off, in the order of the table.
 std::vector<Candidate> candidatesOf(const Params& params) {
+    const Params robust = *paramsByName("robust");
     std::vector<Candidate> all;
-    for (const RuleSetting* each : rulesToAdd(params)) {
-        all.push_back({each, params});
-        each->turnOn(all.back().params);
+    for (const RuleSetting& each : ruleSwitches()) {
+        if (!each.isOn(robust) || each.isOn(params)) continue;
+        all.push_back({&each, params});
+        each.turnOn(all.back().params);
     }
     return all;
 }

@@ -477,3 +477,21 @@ TEST_CASE("inspection: a needle is no sliver as well") {
     CHECK(count({0, 1, 3}, "degenerate_triangles") == 0);
     CHECK(count({0, 1, 3}, "slivers") == 1);
 }
+
+TEST_CASE("inspection: a hole that has become smaller is still there") {
+    MeshFailure hole;
+    hole.kind = findFailureClass("holes");
+    hole.points = {1, 2, 3, 4, 5};
+    MeshFailure smaller = hole;
+    smaller.points = {2, 3, 9};
+    CHECK(isStillThere(hole, {&smaller, 1}));
+    smaller.points = {3, 8, 9};
+    CHECK_FALSE(isStillThere(hole, {&smaller, 1}));
+    MeshFailure unused;
+    unused.kind = findFailureClass("lost_points");
+    unused.points = {7};
+    MeshFailure isolated = unused;
+    isolated.kind = findFailureClass("isolated_points");
+    CHECK(isStillThere(unused, {&isolated, 1}));
+    CHECK_FALSE(isStillThere(unused, {&hole, 1}));
+}

@@ -6,7 +6,6 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/why/prover.h"
-#include "spiraling_edge/why/remedy.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/rig.h"
@@ -67,7 +66,7 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
     CHECK_FALSE(has(after.all, failure.failure));
     const bool replaced =
         std::any_of(after.all.begin(), after.all.end(), [&](const MeshFailure& each) {
-            return isStillThere(failure.failure, {each}) && !has(found.all, each);
+            return isStillThere(failure.failure, {&each, 1}) && !has(found.all, each);
         });
     const bool said = ledger.answer.find("another would be in its place") != std::string::npos;
     CHECK(replaced == said);

@@ -15,17 +15,6 @@ using namespace se::view;
 using test::differing;
 using test::DrivenApp;
 
-namespace {
-
-/// The first item that was drawn with such a name.
-std::string itemNamed(const DrivenApp& app, const std::string& beginning) {
-    const auto found = app.ui.where.lower_bound(beginning);
-    const bool there = found != app.ui.where.end() && found->first.starts_with(beginning);
-    return there ? found->first : std::string{};
-}
-
-}  // namespace
-
 TEST_CASE("Alerts: clicks lead to the moments of one, and F8 frames its place") {
     DrivenApp app({"scene:four-edge-hole"}, {1600, 980});
     if (!app) return;
@@ -62,17 +51,16 @@ TEST_CASE("Alerts: the rule that prevents one is tried beside the run, then in i
     if (!app) return;
     app.press("F8");
     const int alerts = std::stoi(app["alerts"]);
-    app.reach("region column", "alert remedies");
-    const std::string remedy = itemNamed(app, "remedy ");
-    REQUIRE_FALSE(remedy.empty());
+    app.reach("region column", "alert why");
+    if (!usesThreads()) return;  // There is no proof, and no rule.
     const std::string at = app.address();
-    app.reach("region column", "beside" + remedy.substr(remedy.find(' ')));
+    app.reach("region column", "rule beside");
     CHECK(app["compare_with"] == "run");
     CHECK(app["compare_done"] == "true");
     CHECK(app.address() == at);
     app.press("Ctrl+D");
     const CameraPose pose = app.pose();
-    app.reach("region column", remedy);
+    app.reach("region column", "rule on");
     CHECK(std::stoi(app["alerts"]) < alerts);
     CHECK(app.session.atEnd());
     CHECK(app.pose() == pose);

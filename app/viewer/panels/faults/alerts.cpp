@@ -1,6 +1,6 @@
 // Failures of the finished run by class. The chosen one shows its three moments, the answer of the
-// ledger about it, and the rules that would have prevented it, each found by a re-run. Rows above
-// and below the details are clipped lists of their own, so that only visible ones cost time.
+// ledger about it, and the rule that prevents it. Rows above and below the details are clipped
+// lists of their own, so that only visible ones cost time.
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
+#include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "session/session.h"
@@ -193,79 +194,11 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
                     "The decisions that led to it, in the panel Ledger: " + context.key("ask.why")))
         askWhy(context.commands, alert);
     const Ledger* answer = questions.isAbout(alert.failure) ? questions.why() : nullptr;
-    if (answer != nullptr) dimText(withShortNumbers(answer->answer));
+    if (answer != nullptr) {
+        dimText(withShortNumbers(answer->answer));
+        if (answer->preventedBy != nullptr) drawPreventing(context, *answer->preventedBy);
+    }
     ImGui::Spacing();
-}
-
-/// A rule that prevents the alert, with the alerts that it leaves, and buttons for it.
-void drawRemedy(const PanelContext& context, const Remedy& remedy) {
-    const std::string name(nameOf(remedy));
-    ImGui::PushID(name.c_str());
-    ImGui::TableNextColumn();
-    if (smallButton(context, "Switch on", "remedy " + name,
-                    remedy.rule != nullptr ? std::string(remedy.rule->summary)
-                                           : "All rules of the set; see docs/robust.md."))
-        switchOn(context.commands, remedy);
-    ImGui::TableNextColumn();
-    if (smallButton(context, "Compare", "beside " + name,
-                    "This run and the one with it side by side, at this position"))
-        showBeside(context.commands, remedy);
-    ImGui::TableNextColumn();
-    ImGui::PushFont(context.fonts.mono);
-    shortText(name, ImGui::GetContentRegionAvail().x);
-    ImGui::PopFont();
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", grouped(remedy.all).c_str());
-    ImGui::PopID();
-}
-
-/// The rules that prevent the alert. True if there is one.
-bool drawPreventing(const PanelContext& context, const Remedies& remedies) {
-    const auto prevents = [](const Remedy& each) { return each.prevents; };
-    if (std::none_of(remedies.tried.begin(), remedies.tried.end(), prevents)) return false;
-    dimText("Prevented by each of these alone. The run has " + grouped(remedies.all) +
-            " alerts now; the number with each rule is shown at the right.");
-    if (!ImGui::BeginTable("##remedies", 4)) return true;
-    for (const char* column : {"switch", "compare"})
-        ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed);
-    ImGui::TableSetupColumn("rule", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("leaves", ImGuiTableColumnFlags_WidthFixed);
-    for (const Remedy& each : remedies.tried)
-        if (each.prevents) drawRemedy(context, each);
-    ImGui::EndTable();
-    return true;
-}
-
-void drawTried(const PanelContext& context, const Remedies& remedies) {
-    std::string others;
-    std::string unknown;
-    for (const Remedy& each : remedies.tried) {
-        if (each.prevents) continue;
-        std::string& list = each.unknown ? unknown : others;
-        list += (list.empty() ? "" : ", ") + std::string(nameOf(each));
-    }
-    if (!drawPreventing(context, remedies)) wrappedText("No rule beyond the paper prevents this.");
-    if (!others.empty()) dimText("It stays with: " + others + ".");
-    if (!unknown.empty())
-        dimText("Unknown, since too many alerts are left, with: " + unknown + ".");
-}
-
-/// Rules beyond the paper that would have prevented the alert.
-void drawRemedies(const PanelContext& context) {
-    Session& session = context.session();
-    const BackgroundQuery<Remedies>& search = session.alerts().remedies();
-    const bool mine = session.alerts().remediesOf() == session.alerts().chosen();
-    heading(context, "What would have prevented it");
-    if (mine && search.answer() != nullptr) return drawTried(context, *search.answer());
-    if (mine && search.busy()) {
-        ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
-        if (ImGui::SmallButton("Stop")) session.alerts().remedies().stop();
-        return;
-    }
-    if (mine && !search.complaint().empty()) dimText(search.complaint());
-    if (smallButton(context, "Try the rules beyond the paper", "alert remedies",
-                    "Re-runs with each of them on, one at a time"))
-        session.alerts().seekRemedies();
 }
 
 /// The link to the alert, or how far its points are reduced.
@@ -305,8 +238,6 @@ void drawChosen(const PanelContext& context) {
     ImGui::Spacing();
     for (const AlertMoment moment : kAlertMoments) drawMoment(context, *alert, moment);
     drawWhy(context, *alert);
-    drawRemedies(context);
-    ImGui::Spacing();
     drawLink(context);
 }
 

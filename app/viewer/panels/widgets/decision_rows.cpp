@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "document/alert_actions.h"
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
 #include "rows/evidence_rows.h"
@@ -198,6 +199,17 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     }
     ImGui::PopStyleVar();
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
+}
+
+bool drawPreventing(const PanelContext& context, const RuleSetting& rule) {
+    const std::string name(rule.name);
+    const bool on = smallButton(context, "Switch on " + name, "rule on", std::string(rule.summary));
+    if (on) switchOn(context.commands, rule);
+    ImGui::SameLine();
+    if (smallButton(context, "Compare", "rule beside",
+                    "This run and the one with it side by side, at this position"))
+        showBeside(context.commands, rule);
+    return on;
 }
 
 void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame) {
