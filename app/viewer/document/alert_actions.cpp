@@ -80,6 +80,7 @@ Selection subjectOf(const RunFailure& alert) {
 std::string titleOf(const FailureClass& kind) {
     std::string title(kind.name);
     std::replace(title.begin(), title.end(), '_', ' ');
+    if (title.starts_with("non ")) title[3] = '-';  // As in FailureClass::singular.
     return title;
 }
 

@@ -641,6 +641,11 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     CHECK_FALSE(isStillThere(failure, now));
 }
 
+TEST_CASE("The title of a class is its name in words") {
+    CHECK(titleOf(*findFailureClass("non_manifold_edges")) == "non-manifold edges");
+    CHECK(titleOf(*findFailureClass("second_layers")) == "second layers");
+}
+
 TEST_CASE("A session keeps the chosen alert") {
     AlertApp app("scene:noise", "duplicate_triangles:2");
     app.document.saveAs((app.folder / "alert.sesession").string());
