@@ -7,12 +7,35 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/points/shared_value.h"
 
 namespace se {
 namespace {
 
 constexpr double kHuge = 1e30;  ///< No coordinate is so great.
+
+/// True for 10,000, 100,000 and so on, which planes of a scene may have too.
+bool isRound(double value) {
+    const double size = std::abs(value);
+    return size < kHuge && size == std::pow(10.0, std::round(std::log10(size)));
+}
+
+/// True if files have this value where there is none: 999, 9999 and so on, a power of ten from
+/// 10,000, a power of two from 32,768, or one less than that, or any from 1e30; with either sign.
+bool isNamedSentinel(double value) {
+    constexpr double kLeastOfTen = 1e3;
+    constexpr double kLeastOfTwo = 32768.0;
+    const double size = std::abs(value);
+    if (size >= kHuge) return true;
+    if (!(size >= kLeastOfTen - 1.0) || size == kLeastOfTen) return false;
+    for (const double power : {size, size + 1.0}) {
+        int exponent = 0;
+        if (power >= kLeastOfTwo && std::frexp(power, &exponent) == 0.5) return true;
+        if (isRound(power)) return true;
+    }
+    return false;
+}
 
 /// The middle of the values of an axis, and how far they reach.
 struct ValueRange {
@@ -29,21 +52,9 @@ ValueRange valueRangeOf(std::vector<double>& values) {
     if (2 * (named - values.begin()) >= static_cast<std::ptrdiff_t>(values.size()))
         values.erase(named, values.end());
     if (values.empty()) return {};
-    const auto at = [&](double share) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                                share * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), place, values.end());
-        return *place;
-    };
-    const double low = at(kOutside);
-    const double high = at(1.0 - kOutside);
+    const double low = quantileOf(values, kOutside);
+    const double high = quantileOf(values, 1.0 - kOutside);
     return {low + 0.5 * (high - low), high - low};
-}
-
-/// True for 10,000, 100,000 and so on, which planes of a scene may have too.
-bool isRound(double value) {
-    const double size = std::abs(value);
-    return size < kHuge && size == std::pow(10.0, std::round(std::log10(size)));
 }
 
 /// True for values that only a file without a value has: 999, 9999 and so on, -32768, any from
@@ -67,14 +78,15 @@ bool isMissing(std::span<const Vec3> position, const std::vector<Aside>& aside,
     if (few || !(shared.range > 0.0) || shared.gap < kApart * shared.range) return false;
     if (isNeverMeasured(shared.value)) return true;
     if (!isApart(position, aside, shared)) return false;
-    // As a camera has no depth.
-    if (shared.value == 0.0 && arePixels(position, aside, shared)) return true;
     constexpr double kMostScattered = 0.3;  // A floor has more.
     const bool mayScatter =
         static_cast<double>(count) <= kMostScattered * static_cast<double>(used) &&
         (count >= kFew || isNamedSentinel(shared.value) || shared.gap > shared.range);
     if (mayScatter && isScattered(position, aside, shared)) return true;
-    return shared.gap > kFarApart * shared.range && isRaster(position, aside, shared);
+    // 0 as a camera has no depth.
+    const bool mayBeRaster =
+        shared.gap > kFarApart * shared.range || (shared.value == 0.0 && areWhole(position, aside));
+    return mayBeRaster && isRaster(position, aside, shared);
 }
 
 /// Marks points with a coordinate that stands for a missing value along one axis, below or above
@@ -182,20 +194,6 @@ std::vector<Index> sharedPlaces(std::span<const Vec3> position, const std::vecto
 }
 
 }  // namespace
-
-bool isNamedSentinel(double value) {
-    constexpr double kLeastOfTen = 1e3;
-    constexpr double kLeastOfTwo = 32768.0;
-    const double size = std::abs(value);
-    if (size >= kHuge) return true;
-    if (!(size >= kLeastOfTen - 1.0) || size == kLeastOfTen) return false;
-    for (const double power : {size, size + 1.0}) {
-        int exponent = 0;
-        if (power >= kLeastOfTwo && std::frexp(power, &exponent) == 0.5) return true;
-        if (isRound(power)) return true;
-    }
-    return false;
-}
 
 void markSentinels(std::span<const Vec3> position, std::span<const Index> original,
                    std::vector<Aside>& aside) {

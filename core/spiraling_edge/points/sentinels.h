@@ -26,10 +26,6 @@ struct SentinelLimits {
 };
 inline constexpr SentinelLimits kSentinelLimits{};
 
-/// True if files have this value where there is none: 999, 9999 and so on, a power of ten from
-/// 10,000, a power of two from 32,768, or one less than that, or any from 1e30; with either sign.
-bool isNamedSentinel(double value);
-
 /// Marks as Aside::Sentinel the points, of those marked No and their copies, with a coordinate far
 /// off the others, those with a coordinate below or above all others that several share without
 /// being a plane (shared_value.h), and all at a place far off the others that several share:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "spiraling_edge/base/median.h"
@@ -137,14 +138,11 @@ bool isApart(std::span<const Vec3> position, std::span<const Aside> aside,
     return shared.gap > kWide * widest;
 }
 
-bool arePixels(std::span<const Vec3> position, std::span<const Aside> aside,
-               const SharedValue& shared) {
+bool areWhole(std::span<const Vec3> position, std::span<const Aside> aside) {
     for (std::size_t p = 0; p < position.size(); ++p) {
-        const Vec3& x = position[p];
-        if (aside[p] == Aside::No && Vec3(std::floor(x.x), std::floor(x.y), std::floor(x.z)) != x)
-            return false;
+        if (aside[p] == Aside::No && glm::floor(position[p]) != position[p]) return false;
     }
-    return isRaster(position, aside, shared);
+    return true;
 }
 
 bool isScattered(std::span<const Vec3> position, std::span<const Aside> aside,

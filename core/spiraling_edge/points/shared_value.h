@@ -34,9 +34,8 @@ bool isApart(std::span<const Vec3> position, std::span<const Aside> aside,
 bool isScattered(std::span<const Vec3> position, std::span<const Aside> aside,
                  const SharedValue& shared);
 
-/// True if all points marked No are pixels, seen along the axis: coordinates are whole numbers.
-bool arePixels(std::span<const Vec3> position, std::span<const Aside> aside,
-               const SharedValue& shared);
+/// True if the coordinates of all points marked No are whole numbers, as of pixels.
+bool areWhole(std::span<const Vec3> position, std::span<const Aside> aside);
 
 /// True if all points marked No are a raster, seen along the axis.
 bool isRaster(std::span<const Vec3> position, std::span<const Aside> aside,
