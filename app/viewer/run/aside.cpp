@@ -1,23 +1,9 @@
 #include "aside.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
 namespace se::view {
-
-namespace {
-
-const AsideWords& wordsOf(const AsidePoints& group) {
-    const std::span<const AsideWords> all = asideReasons();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const AsideWords& each) {
-        return each.reason == group.reason;
-    });
-    assert(found != all.end());
-    return *found;
-}
-
-}  // namespace
 
 std::vector<AsidePoints> asideOf(const PointSet& points) {
     std::vector<AsidePoints> groups;
@@ -50,13 +36,13 @@ std::size_t countOf(const std::vector<AsidePoints>& groups) {
 }
 
 std::string nameOf(const AsidePoints& group) {
-    return group.fix.empty() ? std::string(wordsOf(group).name) : group.fix;
+    return group.fix.empty() ? std::string(wordsOf(group.reason).name) : group.fix;
 }
 
 std::string reasonText(const AsidePoints& group) {
     if (!group.fix.empty()) return "dropped by the fix of " + group.fix;
     if (group.isLeftOut()) return "left out in the view";
-    return std::string(wordsOf(group).words);
+    return std::string(wordsOf(group.reason).words);
 }
 
 std::string_view returnText(const AsidePoints& group) {

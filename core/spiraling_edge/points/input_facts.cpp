@@ -5,24 +5,16 @@
 
 namespace se {
 
-namespace {
-
-bool isByRobust(std::size_t reason) {
-    return reason == static_cast<std::size_t>(Aside::Stray) ||
-           reason == static_cast<std::size_t>(Aside::Noise);
-}
-
-}  // namespace
-
 std::array<std::size_t, kAsides> InputFacts::asideAlways() const {
-    std::array<std::size_t, kAsides> some{};
-    for (std::size_t i = 0; i < kAsides; ++i) some[i] = isByRobust(i) ? 0 : aside[i];
+    std::array<std::size_t, kAsides> some = aside;
+    for (const Aside each : {Aside::Stray, Aside::Noise}) some[static_cast<std::size_t>(each)] = 0;
     return some;
 }
 
 std::array<std::size_t, kAsides> InputFacts::asideByRobust() const {
     std::array<std::size_t, kAsides> some{};
-    for (std::size_t i = 0; i < kAsides; ++i) some[i] = isByRobust(i) ? aside[i] : 0;
+    for (const Aside each : {Aside::Stray, Aside::Noise})
+        some[static_cast<std::size_t>(each)] = count(each);
     return some;
 }
 

@@ -1,5 +1,4 @@
-/// One pass with a hash table of positions (open addressing) finds exact copies. Expected
-/// O(points).
+/// One pass with a table of places finds exact copies. Expected O(points).
 #include "spiraling_edge/points/usable_points.h"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 #include <string>
 
 #include "spiraling_edge/base/counted.h"
-#include "spiraling_edge/base/float_bits.h"
+#include "spiraling_edge/points/place_table.h"
 #include "spiraling_edge/points/sentinels.h"
 
 namespace se {
@@ -20,44 +19,6 @@ namespace {
 constexpr double kUnitAlready = 1e-12;
 /// Normals off by more than this are reported.
 constexpr double kReportedTolerance = 1e-3;
-
-/// Positions already seen, for finding exact copies: open addressing, each slot a point or kNone.
-class PositionTable {
-  public:
-    explicit PositionTable(std::span<const Vec3> position) : position_(position) {
-        std::size_t slots = 16;
-        while (slots < 2 * position.size()) slots *= 2;
-        slots_.assign(slots, kNone);
-    }
-
-    /// Adds point p, unless another point at the same position was added before. Returns the one in
-    /// the table.
-    Index add(Index p) {
-        const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = hash(position_[p]) & mask;; slot = (slot + 1) & mask) {
-            if (slots_[slot] == kNone) {
-                slots_[slot] = p;
-                return p;
-            }
-            if (position_[slots_[slot]] == position_[p]) return slots_[slot];
-        }
-    }
-
-  private:
-    static std::size_t hash(const Vec3& v) {
-        std::uint64_t h = 0;
-        for (const double coordinate : {v.x, v.y, v.z}) {
-            const auto bits =
-                bitsAs<std::uint64_t>(coordinate + 0.0);  // -0 equals 0: hashes like it
-            h = (h ^ bits) * 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio: spreads low bits upwards
-            h ^= h >> 32U;
-        }
-        return static_cast<std::size_t>(h);
-    }
-
-    std::span<const Vec3> position_;
-    std::vector<Index> slots_;
-};
 
 }  // namespace
 
@@ -78,15 +39,16 @@ std::span<const AsideWords> asideReasons() {
     return kReasons;
 }
 
+const AsideWords& wordsOf(Aside reason) {
+    assert(reason != Aside::No);
+    return asideReasons()[static_cast<std::size_t>(reason) - 1];
+}
+
 std::string asideText(const PointSet& points, Index p) {
     assert(points.isAside(p));
-    const Aside reason = points.aside[p];
-    const auto reasons = asideReasons();
-    const auto row = std::find_if(reasons.begin(), reasons.end(),
-                                  [&](const AsideWords& each) { return each.reason == reason; });
-    std::string text =
-        "Point " + std::to_string(p) + " was set aside before the run: " + std::string(row->clause);
-    if (reason == Aside::Copy) {
+    std::string text = "Point " + std::to_string(p) + " was set aside before the run: ";
+    text += wordsOf(points.aside[p]).clause;
+    if (points.aside[p] == Aside::Copy) {
         const auto same =
             std::find(points.position.begin(), points.position.end(), points.position[p]);
         text += std::to_string(same - points.position.begin());
@@ -99,18 +61,14 @@ namespace {
 /// The first point at the place of each; kNone where that is not finite.
 std::vector<Index> firstAt(std::span<const Vec3> position) {
     std::vector<Index> first(position.size(), kNone);
-    PositionTable seen(position);
+    PlaceTable seen(position.size());
     for (Index p = 0; p < position.size(); ++p) {
-        if (isFinite(position[p])) first[p] = seen.add(p);
+        if (isFinite(position[p])) first[p] = seen.add(position, p);
     }
     return first;
 }
 
 }  // namespace
-
-bool PlacedPoints::haveCopies() const {
-    return std::find(aside.begin(), aside.end(), Aside::Copy) != aside.end();
-}
 
 PlacedPoints placedPoints(std::span<const Vec3> position, FarValues farValues) {
     PlacedPoints placed{std::vector<Aside>(position.size(), Aside::No), firstAt(position)};

@@ -21,6 +21,8 @@ struct AsideWords {
 };
 /// All but Aside::No, in the order of Aside.
 std::span<const AsideWords> asideReasons();
+/// Those of one reason. Requires one that is not Aside::No.
+const AsideWords& wordsOf(Aside reason);
 
 /// The reason why a point was set aside, as a sentence: "Point 5 was set aside before the run:
 /// it is a copy of point 2." Requires one that was.
@@ -31,8 +33,6 @@ struct PlacedPoints {
     std::vector<Aside> aside;  ///< NotFinite, Copy, Sentinel (markSentinels()), or No.
     /// For each point the first at its position; kNone if that is not finite, or a sentinel's.
     std::vector<Index> original;
-
-    bool haveCopies() const;
 };
 /// Expected O(points).
 PlacedPoints placedPoints(std::span<const Vec3> position, FarValues farValues = FarValues::Missing);
