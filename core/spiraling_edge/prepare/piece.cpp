@@ -112,6 +112,23 @@ void thin(std::span<const Vec3> position, double spacing, std::vector<bool>& kee
     }
 }
 
+/// Of several points at one place thinning keeps the first: it gets the mean of their normals, and
+/// of missing values none is kept, since one alone is not known for what it is.
+void prepareThinning(PointFile& file, std::vector<bool>& keep) {
+    const PlacedPoints placed = placedPoints(file.position, file.farValues);
+    averageOverCopies(placed, file.normal);
+    std::size_t missing = 0;
+    for (Index p = 0; p < keep.size(); ++p) {
+        if (placed.aside[p] != Aside::Sentinel) continue;
+        keep[p] = false;
+        ++missing;
+    }
+    if (missing > 0) {
+        file.notes.push_back("left out by thinning: " + counted(missing, "point") +
+                             " where a missing value was written");
+    }
+}
+
 /// The triangles whose corners all have a number, renumbered.
 std::vector<Triangle> keptFaces(std::span<const Triangle> faces, const std::vector<Index>& number) {
     std::vector<Triangle> kept;
@@ -195,14 +212,15 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
 }
 
 PointFile pieceOf(PointFile file, const Piece& piece) {
+    file.farValues = piece.farValues;
     if (!piece.isWhole()) {
-        // Of several points at one place thinning keeps the first.
-        if (piece.thin > 0.0 && file.hasNormals())
-            averageOverCopies(placedPoints(file.position), file.normal);
-        const std::vector<bool> keep = pointsIn(file.position, piece);
+        std::vector<bool> keep = pointsIn(file.position, {piece.crop});
+        if (piece.thin > 0.0) {
+            prepareThinning(file, keep);
+            thin(file.position, piece.thin, keep);
+        }
         file = keptPoints(std::move(file), keep);
     }
-    file.farValues = piece.farValues;
     return piece.isScaled() ? scaled(std::move(file), piece.scale) : file;
 }
 

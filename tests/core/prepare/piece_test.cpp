@@ -164,6 +164,26 @@ TEST_CASE("piece: a box is cut out before the rest is thinned") {
     CHECK(piece.position == std::vector<Vec3>{{1, 0, 0}, {3, 0, 0}, {5, 0, 0}});
 }
 
+TEST_CASE("piece: of missing values thinning keeps none, unless they are places like all others") {
+    PointFile file;
+    for (int i = 0; i < 100; ++i) file.position.emplace_back(i % 10, i / 10, 500.0);
+    file.normal.assign(100, Vec3(0, 0, 1));
+    for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 1, 0)}) {
+        file.position.emplace_back(0, 0, 0);
+        file.normal.push_back(normal);
+    }
+    Piece thinned = thinnedTo(0.5);
+    const PointFile piece = pieceOf(file, thinned);
+    CHECK(piece.position.size() == 100);
+    CHECK(piece.notes == std::vector<std::string>{
+                             "left out by thinning: 4 points where a missing value was written"});
+    thinned.farValues = FarValues::Real;
+    const PointFile kept = pieceOf(file, thinned);
+    REQUIRE(kept.position.size() == 101);
+    CHECK(kept.notes.empty());
+    CHECK(glm::distance(kept.normal.back(), glm::normalize(Vec3(0, 1, 1))) < 1e-12);
+}
+
 TEST_CASE("piece: of the points at one place the one that thinning keeps has their mean normal") {
     PointFile file;
     file.position = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
