@@ -164,10 +164,11 @@ Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<co
 
 /// Symmetric lists: for each entry q in the list of p, also p in the list of q. Where the spacing
 /// changes, points of the sparse side list some that do not list them. Ordered by distance, ties by
-/// index. Requires that no list has an entry twice. Fails if there would be more entries than an
+/// index. Of each list the first `most` entries count. Fails if there would be more entries than an
 /// Index counts. `threads` as in NeighborOptions; the result is the same for any. Fails if
 /// cancelled.
 Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
-                                     unsigned threads = 0, const Progress& progress = {});
+                                     unsigned threads = 0, const Progress& progress = {},
+                                     std::size_t most = kNone);
 
 }  // namespace se

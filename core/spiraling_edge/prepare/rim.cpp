@@ -125,26 +125,6 @@ constexpr std::size_t kNearestOfRim = 12;
 /// Of three points of a chain, this many must be candidates, and on no wall.
 constexpr std::size_t kOfThree = 2;
 
-std::size_t longestOf(const NeighborLists& lists) {
-    std::size_t longest = 0;
-    for (Index p = 0; p < lists.size(); ++p) longest = std::max(longest, lists[p].size());
-    return longest;
-}
-
-/// The first of each list, with every entry in both directions.
-Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const NeighborLists& lists,
-                                      unsigned threads, const Progress& progress) {
-    if (longestOf(lists) <= kNearestOfRim)
-        return symmetricLists(position, lists, threads, progress);
-    NeighborLists nearest;
-    nearest.offset.reserve(lists.offset.size());
-    nearest.ids.reserve(std::min(lists.ids.size(), kNearestOfRim * lists.size()));
-    for (Index p = 0; p < lists.size(); ++p) {
-        nearest.append(lists[p].first(std::min(kNearestOfRim, lists[p].size())));
-    }
-    return symmetricLists(position, nearest, threads, progress);
-}
-
 /// The widest gap at p, of any width.
 Gap widestGap(std::span<const Vec3> position, std::span<const Vec3> normal,
               const NeighborLists& lists, Index p) {
@@ -295,8 +275,8 @@ std::size_t Rim::points() const {
 Result<Rim> findRim(std::span<const Vec3> position, std::span<const Vec3> normal,
                     const NeighborLists& neighbors, std::span<const std::uint8_t> type,
                     unsigned threads, const Progress& progress) {
-    const Result<NeighborLists> lists =
-        nearestBothWays(position, neighbors, threads, partOf(progress, 0.0, kListsShare));
+    const Result<NeighborLists> lists = symmetricLists(
+        position, neighbors, threads, partOf(progress, 0.0, kListsShare), kNearestOfRim);
     if (!lists) return lists.error();
     return RimSearch(position, normal, lists.value(), type)
         .run(threads, partOf(progress, kListsShare, 1.0));
@@ -307,8 +287,8 @@ Result<std::vector<RimGap>> gapsOfRimPoints(std::span<const Vec3> position,
                                             const NeighborLists& neighbors,
                                             std::span<const std::uint8_t> type, unsigned threads,
                                             const Progress& progress) {
-    const Result<NeighborLists> lists =
-        nearestBothWays(position, neighbors, threads, partOf(progress, 0.0, kListsShare));
+    const Result<NeighborLists> lists = symmetricLists(
+        position, neighbors, threads, partOf(progress, 0.0, kListsShare), kNearestOfRim);
     if (!lists) return lists.error();
     std::vector<RimGap> gap(position.size());
     const auto look = [&](std::size_t i) {

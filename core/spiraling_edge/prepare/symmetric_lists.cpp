@@ -1,7 +1,6 @@
-/// Each list gets the points that list its point without being listed by it, by counting, and is
-/// sorted again, in parallel by blocks of points. O(list entries log longest list).
+/// Each list gets the points that list its point, by counting, and is sorted without repeated
+/// entries, in parallel. O(list entries log longest list).
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 #include "spiraling_edge/base/parallel.h"
@@ -11,62 +10,39 @@ namespace se {
 
 namespace {
 
-/// The question whether a list has an entry: answered by a scan, or in long lists by a search among
-/// sorted copies.
-class Entries {
-  public:
-    explicit Entries(const NeighborLists& lists) : lists_(lists) {
-        constexpr std::size_t kScanned = 64;
-        std::size_t longest = 0;
-        for (Index p = 0; p < lists.size(); ++p) longest = std::max(longest, lists[p].size());
-        if (longest <= kScanned) return;
-        sorted_ = lists;
-        for (Index p = 0; p < lists.size(); ++p) {
-            std::sort(sorted_.ids.begin() + sorted_.offset[p],
-                      sorted_.ids.begin() + sorted_.offset[p + std::size_t{1}]);
-        }
-    }
-    /// Calls add(q, p) for each point p and each q in its list that does not list p.
-    template <typename Add>
-    void forEachOneWay(const Add& add) const {
-        for (Index p = 0; p < lists_.size(); ++p) {
-            for (const Index q : lists_[p])
-                if (!has(q, p)) add(q, p);
-        }
-    }
-
-  private:
-    bool has(Index p, Index q) const {
-        if (!sorted_.ids.empty()) {
-            const auto list = sorted_[p];
-            return std::binary_search(list.begin(), list.end(), q);
-        }
-        const auto list = lists_[p];
-        return std::find(list.begin(), list.end(), q) != list.end();
-    }
-
-    const NeighborLists& lists_;
-    NeighborLists sorted_;
-};
-
-/// The lists with the inverse of each entry, in any order.
-NeighborLists withInverses(const NeighborLists& lists) {
+/// The first entries of each list, followed by the points that have it among theirs.
+NeighborLists withListers(const NeighborLists& lists, std::size_t most) {
+    const auto firstOf = [&](Index p) { return lists[p].first(std::min(most, lists[p].size())); };
     NeighborLists both;
     both.offset.assign(lists.size() + 1, 0);
-    const Entries entries(lists);
-    entries.forEachOneWay([&](Index q, Index) { ++both.offset[q + std::size_t{1}]; });
     for (Index p = 0; p < lists.size(); ++p) {
-        both.offset[p + std::size_t{1}] +=
-            both.offset[p] + static_cast<std::uint32_t>(lists[p].size());
+        both.offset[p + std::size_t{1}] += static_cast<std::uint32_t>(firstOf(p).size());
+        for (const Index q : firstOf(p)) ++both.offset[q + std::size_t{1}];
     }
+    std::partial_sum(both.offset.begin(), both.offset.end(), both.offset.begin());
     both.ids.resize(both.offset.back());
     std::vector<std::uint32_t> next(both.offset.begin(), both.offset.end() - 1);
     for (Index p = 0; p < lists.size(); ++p) {
-        std::copy(lists[p].begin(), lists[p].end(), both.ids.begin() + next[p]);
-        next[p] += static_cast<std::uint32_t>(lists[p].size());
+        for (const Index q : firstOf(p)) {
+            both.ids[next[p]++] = q;
+            both.ids[next[q]++] = p;
+        }
     }
-    entries.forEachOneWay([&](Index q, Index p) { both.ids[next[q]++] = p; });
     return both;
+}
+
+/// Shortens each list to this length, in place.
+void shorten(const std::vector<std::uint32_t>& length, NeighborLists& lists) {
+    std::uint32_t end = 0;
+    for (Index p = 0; p < length.size(); ++p) {
+        const auto from = lists.ids.begin() + lists.offset[p];
+        lists.offset[p] = end;
+        std::copy(from, from + length[p], lists.ids.begin() + end);
+        end += length[p];
+    }
+    lists.offset.back() = end;
+    lists.ids.resize(end);
+    lists.ids.shrink_to_fit();
 }
 
 }  // namespace
@@ -86,30 +62,25 @@ NeighborLists listersOf(const NeighborLists& lists) {
 }
 
 Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
-                                     unsigned threads, const Progress& progress) {
+                                     unsigned threads, const Progress& progress, std::size_t most) {
     const std::size_t n = position.size();
-    if (2 * lists.ids.size() >= kNone) {
+    if (2 * std::min(lists.ids.size(), most * n) >= kNone) {
         return Error{
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    NeighborLists both = withInverses(lists);
-    constexpr std::size_t kPerBlock = 4096;
-    const std::size_t blocks = (n + kPerBlock - 1) / kPerBlock;
-    const bool all = forEachWithProgress(blocks, threads, 2, progress, [&](std::size_t i) {
-        std::vector<Neighbor> row;
-        const auto end = static_cast<Index>(std::min((i + 1) * kPerBlock, n));
-        for (auto p = static_cast<Index>(i * kPerBlock); p < end; ++p) {
-            row.clear();
-            for (const Index q : both[p])
-                row.push_back({distanceSquared(position[p], position[q]), q});
-            std::sort(row.begin(), row.end());
-            assert(std::adjacent_find(row.begin(), row.end()) == row.end());
-            std::transform(row.begin(), row.end(), both.ids.begin() + both.offset[p],
-                           [](const Neighbor& neighbor) { return neighbor.id; });
-        }
+    NeighborLists both = withListers(lists, most);
+    std::vector<std::uint32_t> length(n);
+    constexpr std::size_t kPerThread = 4096;
+    const bool all = forEachWithProgress(n, threads, kPerThread, progress, [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
+        std::vector<Index> row(both[p].begin(), both[p].end());
+        sortNearestFirst(position, p, row);
+        std::copy(row.begin(), row.end(), both.ids.begin() + both.offset[p]);
+        length[p] = static_cast<std::uint32_t>(row.size());
     });
     if (!all) return Error{"making neighbor lists symmetric was cancelled"};
+    shorten(length, both);
     return both;
 }
 
