@@ -165,17 +165,13 @@ class NormalCompletion {
         double side = 0.0;
         for (const Index q : lists_[p]) {
             Vec3 other = normal_[q];
-            if (!scaledDirection(other)) continue;
+            if (!hasDirection(other)) continue;
+            scaleToUnit(other);
             side += glm::dot(plane_[p], other);
         }
         if (side == 0.0) return false;
         normal_[p] = side < 0.0 ? -plane_[p] : plane_[p];
         plane_[p] = Vec3(0.0);
-        return true;
-    }
-    static bool scaledDirection(Vec3& normal) {
-        if (!hasDirection(normal)) return false;
-        scaleToUnit(normal);
         return true;
     }
 

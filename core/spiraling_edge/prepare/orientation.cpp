@@ -166,7 +166,6 @@ Result<OrientationReport> orientNormals(const OrderedPoints& points, std::vector
     const std::vector<bool> inward = inwardComponents(sides, votes, options.unknown);
     OrientationReport report;
     report.components = sides.components;
-    report.doubtful = sides.doubtful;
     for (const FacingVote& each : votes) report.unknownSides += each.isKnown() ? 0U : 1U;
     for (std::size_t p = 0; p < normal.size(); ++p) {
         if (sides.component[p] == kNone) continue;

@@ -37,9 +37,6 @@ struct OrientationReport {
     /// Of these: open sheets, and others of which no side is outward by its shape (facing.h). Their
     /// normals agree, but may all face the wrong way.
     std::size_t unknownSides = 0;
-    /// Edges of the trees with nearly perpendicular normals (|cosine| < 0.1): creases, thin parts.
-    /// The likeliest places of errors.
-    std::size_t doubtful = 0;
 };
 
 /// Turns normals so that neighbors agree, along the minimum spanning tree of each component of the

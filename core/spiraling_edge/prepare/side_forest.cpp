@@ -185,10 +185,8 @@ class SideForest {
         const SideLink there = components_.toRoot(q);
         if (cheapest_[there.to] == q && exit_[q] == p && numberOf(root) < numberOf(there.to))
             return {root, 0};
-        const double cosine = agreementOf(input_, p, q);
-        constexpr double kDoubtful = 0.1;
-        if (std::abs(cosine) < kDoubtful) ++doubtful_;
-        return {there.to, here.opposed ^ there.opposed ^ (cosine < 0.0 ? 1U : 0U)};
+        const unsigned turns = agreementOf(input_, p, q) < 0.0 ? 1U : 0U;
+        return {there.to, here.opposed ^ there.opposed ^ turns};
     }
 
     double weightOf(Index p, Index q) const {
@@ -204,7 +202,6 @@ class SideForest {
 
     PointSides sides() const {
         PointSides sides;
-        sides.doubtful = doubtful_;
         sides.component.assign(input_.normal.size(), kNone);
         sides.opposed.assign(input_.normal.size(), 0);
         std::vector<Index> number(input_.normal.size(), kNone);  // by root
@@ -227,7 +224,6 @@ class SideForest {
     std::vector<std::atomic<Index>> cheapest_;  // by root: the point with the cheapest edge
     std::vector<Index> searching_;              // points that may have an exit
     std::vector<Index> roots_;                  // of components that may have one
-    std::atomic<std::size_t> doubtful_ = 0;
 };
 
 }  // namespace

@@ -36,8 +36,6 @@ struct PointSides {
     std::vector<Index> component;
     std::size_t components = 0;
     std::vector<std::uint8_t> opposed;  ///< 0 or 1: which of the two sides of the component.
-    /// Edges of the forest with nearly perpendicular normals (|cosine| < 0.1).
-    std::size_t doubtful = 0;
 };
 
 /// The sides along the minimum spanning forest of the lists in both directions. The weight of an
