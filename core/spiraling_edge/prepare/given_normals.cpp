@@ -48,14 +48,6 @@ double cosineAt(const GivenNormals& given, Index p) {
     return planar ? std::abs(glm::dot(plane.normal, given.normal[p])) : kNoPlace;
 }
 
-/// The cosine that this number of tenths stay below; at most 1.
-double tenthOf(std::vector<double>& cosines, std::size_t tenths) {
-    const auto at =
-        cosines.begin() + static_cast<std::ptrdiff_t>((cosines.size() - 1) * tenths / 10);
-    std::nth_element(cosines.begin(), at, cosines.end());
-    return std::min(*at, 1.0);
-}
-
 }  // namespace
 
 std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
@@ -95,8 +87,8 @@ NormalFit fitOf(const GivenNormals& given, unsigned threads) {
     fit.places = cosines.size();
     if (cosines.empty()) return fit;
     fit.medianCosine = std::min(medianOf(cosines), 1.0);
-    fit.leastTenth = tenthOf(cosines, 1);
-    fit.mostTenth = tenthOf(cosines, 9);
+    fit.leastTenth = std::min(quantileOf(cosines, 0.1), 1.0);
+    fit.mostTenth = std::min(quantileOf(cosines, 0.9), 1.0);
     fit.near = static_cast<std::size_t>(std::count_if(
         cosines.begin(), cosines.end(), [](double c) { return c >= kFitLimits.nearCosine; }));
     return fit;
@@ -106,30 +98,31 @@ bool normalsFit(const NormalFit& fit) {
     if (fit.normals == 0) return false;
     const double least = kFitLimits.leastShare * static_cast<double>(fit.normals);
     if (fit.places < kFitLimits.leastPlaces || static_cast<double>(fit.places) < least) return true;
+    if (fit.places < kFitLimits.fewPlaces) return fit.medianCosine >= kFitLimits.fewCosine;
     return fit.medianCosine >= kFitLimits.medianCosine &&
            static_cast<double>(fit.near) >= kFitLimits.nearShare * static_cast<double>(fit.places);
-}
-
-bool sidesAgree(const Sides& sides) {
-    return std::find(sides.flipped.begin(), sides.flipped.end(), true) == sides.flipped.end();
 }
 
 namespace {
 
 // ---- sheets -------------------------------------------------------------------------------------
 
-/// True if p and q lie in one smooth sheet, regardless of the sign of their normals: each within 30
-/// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
-bool inOneSheet(const GivenNormals& given, Index p, Index q) {
-    if (!given.hasNormal(p) || !given.hasNormal(q)) return false;
+/// True if p and q lie in each other's tangent plane, up to an angle with this sine, and these have
+/// at least this cosine; regardless of the sign of their normals.
+bool areInPlane(const GivenNormals& given, Index p, Index q, double sine, double cosine) {
     const Vec3& a = given.normal[p];
     const Vec3& b = given.normal[q];
     const Vec3 offset = given.position[q] - given.position[p];
-    constexpr double kFlat = 0.5;
-    constexpr double kParallel = 0.70710678118654752;
-    const double reach = kFlat * glm::length(offset);
+    const double reach = sine * glm::length(offset);
     return std::abs(glm::dot(offset, a)) <= reach && std::abs(glm::dot(offset, b)) <= reach &&
-           std::abs(glm::dot(a, b)) >= kParallel;
+           std::abs(glm::dot(a, b)) >= cosine;
+}
+
+/// True if p and q lie in one smooth sheet: each within 30 degrees of the other's tangent plane,
+/// and the planes within 45 degrees of each other.
+bool inOneSheet(const GivenNormals& given, Index p, Index q) {
+    return given.hasNormal(p) && given.hasNormal(q) &&
+           areInPlane(given, p, q, 0.5, 0.70710678118654752);
 }
 
 /// Points in one sheet whose normals agree.
@@ -185,17 +178,6 @@ void contradictions(const GivenNormals& given, Index p, std::vector<Index>& oppo
     opposing.erase(std::remove_if(opposing.begin(), opposing.end(), goesOn), opposing.end());
 }
 
-/// True if two points of a sheet lie in one plane nearly: no bend, and no part that is thin.
-bool areFlat(const GivenNormals& given, Index p, Index q) {
-    constexpr double kFlat = 0.17;  // 10 degrees
-    constexpr double kParallel = 0.95;
-    const Vec3 offset = given.position[q] - given.position[p];
-    const double reach = kFlat * glm::length(offset);
-    return std::abs(glm::dot(offset, given.normal[p])) <= reach &&
-           std::abs(glm::dot(offset, given.normal[q])) <= reach &&
-           std::abs(glm::dot(given.normal[p], given.normal[q])) >= kParallel;
-}
-
 /// Number of contradictions of two sheets, and of those in one plane.
 struct Conflict {
     std::size_t pairs = 0;
@@ -215,7 +197,8 @@ Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
             if (pair.first == pair.second) continue;
             Conflict& conflict = conflicts[pair];
             ++conflict.pairs;
-            conflict.flat += areFlat(given, p, q) ? 1U : 0U;
+            // Within 10 degrees: no bend, and no part that is thin.
+            conflict.flat += areInPlane(given, p, q, 0.17, 0.95) ? 1U : 0U;
         }
     }
     return conflicts;

@@ -45,6 +45,10 @@ struct FitLimits {
     /// as fitting.
     std::size_t leastPlaces = 8;
     double leastShare = 0.1;
+    /// Planes of so coarse a surface are off it here and there: with fewer places only a median
+    /// beyond 40 degrees counts.
+    std::size_t fewPlaces = 24;
+    double fewCosine = 0.76604444311897803;
 };
 inline constexpr FitLimits kFitLimits{};
 
@@ -72,7 +76,5 @@ struct Sides {
 /// The sides of given normals. Patches of points whose normals agree, in one sheet, contradict each
 /// other where the sheet goes on with the opposite normal; the smaller of two is flipped.
 Sides sidesOf(const GivenNormals& given);
-/// True if no patch of normals contradicts another one. Inside out as a whole they agree.
-bool sidesAgree(const Sides& sides);
 
 }  // namespace se

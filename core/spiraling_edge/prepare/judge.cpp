@@ -37,12 +37,6 @@ constexpr double kPreparedDone = 0.8;
 /// Parts of the points are joined by mutual neighbors within this many spacings of both.
 constexpr double kJoined = 2.0;
 
-/// Usable points, and the 12 nearest of each.
-struct Surroundings {
-    const std::vector<bool>& present;
-    const NeighborLists& nearest;
-};
-
 /// The points that are usable but for some, and their lists.
 Status findSurroundings(const PointFile& file, const std::vector<bool>& without, unsigned threads,
                         const Progress& progress, Intake& intake) {
@@ -77,7 +71,6 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
     facts.normalDegrees = std::acos(intake.fit.medianCosine) * 180.0 / std::numbers::pi;
     if (!facts.normalsFit) return {};
     const Sides sides = sidesOf(given);
-    if (sidesAgree(sides)) return normal;
     for (Index p = 0; p < normal.size(); ++p) {
         if (!sides.flipped[p]) continue;
         normal[p] = -normal[p];
@@ -87,7 +80,7 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
 }
 
 /// The pieces of points, by lists in either direction: the number of each point's piece.
-std::vector<Index> piecesOf(const Surroundings& around, std::size_t& count) {
+std::vector<Index> piecesOf(const Intake& around, std::size_t& count) {
     const auto n = static_cast<Index>(around.present.size());
     DisjointSets sets(n);
     for (Index p = 0; p < n; ++p) {
@@ -104,7 +97,7 @@ std::vector<Index> piecesOf(const Surroundings& around, std::size_t& count) {
 
 /// Turns pieces that face otherwise than in the run, unless their shape says that they face
 /// outward.
-void turnAsInRun(const Surroundings& around, const PointSet& run, PointSet& points) {
+void turnAsInRun(const Intake& around, const PointSet& run, PointSet& points) {
     std::size_t count = 0;
     std::vector<Index> piece = piecesOf(around, count);
     std::vector<std::ptrdiff_t> along(count, 0);
@@ -131,15 +124,15 @@ double distanceBetween(const PointFile& file, Index p, Index q) {
 }
 
 /// The distance to the n-th nearest point, or to the last of fewer.
-double distanceTo(const PointFile& file, const Surroundings& around, Index p, std::size_t n) {
+double distanceTo(const PointFile& file, const Intake& around, Index p, std::size_t n) {
     const std::span<const Index> list = around.nearest[p];
     return list.empty() ? 0.0 : distanceBetween(file, p, list[std::min(n, list.size()) - 1]);
 }
 
 /// Parts of at least three points that are no strays, connected by mutual neighbors within kJoined
 /// spacings.
-std::size_t countPieces(const PointFile& file, const Surroundings& around,
-                        const std::vector<bool>& stray, const MeshJudge& judge) {
+std::size_t countPieces(const PointFile& file, const Intake& around, const std::vector<bool>& stray,
+                        const MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
     DisjointSets sets(n);
     for (Index p = 0; p < n; ++p) {
@@ -159,7 +152,7 @@ std::size_t countPieces(const PointFile& file, const Surroundings& around,
 }
 
 /// Measures the distances of the points.
-void measure(const PointFile& file, const Surroundings& around, const std::vector<bool>& stray,
+void measure(const PointFile& file, const Intake& around, const std::vector<bool>& stray,
              MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
     InputFacts& facts = judge.facts;
@@ -182,8 +175,8 @@ void measure(const PointFile& file, const Surroundings& around, const std::vecto
 }
 
 /// Measures the box and the nearest distances of the points that are no strays.
-void measureExtent(const PointFile& file, const Surroundings& around,
-                   const std::vector<bool>& stray, InputFacts& facts) {
+void measureExtent(const PointFile& file, const Intake& around, const std::vector<bool>& stray,
+                   InputFacts& facts) {
     std::vector<double> nearest;
     std::optional<Box> box;
     for (Index p = 0; p < stray.size(); ++p) {
@@ -270,7 +263,7 @@ Result<PointSet> pointsFor(const PointFile& file, const PrepareOptions& options,
 Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray, unsigned threads,
                            const Intake& intake, MeshJudge& judge) {
     if (judge.facts.count(Aside::Noise) == 0) {
-        measure(file, {intake.present, intake.nearest}, stray, judge);
+        measure(file, intake, stray, judge);
         return success();
     }
     std::vector<bool> noise(judge.points.size(), false);
@@ -278,7 +271,7 @@ Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray
     Intake kept;
     kept.placed = intake.placed;
     if (Status found = findSurroundings(file, noise, threads, {}, kept); !found) return found;
-    measure(file, {kept.present, kept.nearest}, stray, judge);
+    measure(file, kept, stray, judge);
     return success();
 }
 
@@ -327,7 +320,7 @@ Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, cons
     const std::vector<Vec3> right = rightNormals(file, threads, intake, judge->facts);
     const std::vector<bool> stray =
         strayPoints(file.position, intake.present, intake.nearest, threads);
-    measureExtent(file, {intake.present, intake.nearest}, stray, judge->facts);
+    measureExtent(file, intake, stray, judge->facts);
     Result<PointSet> points = pointsFor(file, options, right, stray, judge->facts,
                                         partOf(progress, kMeasuredDone, kPreparedDone));
     if (!points) return points.error();
@@ -336,7 +329,7 @@ Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, cons
         !measured)
         return measured.error();
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
-    if (run != nullptr && named) turnAsInRun({intake.present, intake.nearest}, *run, judge->points);
+    if (run != nullptr && named) turnAsInRun(intake, *run, judge->points);
     if (const Status found = findOpenings(threads, partOf(progress, kPreparedDone, 1.0), *judge);
         !found)
         return found.error();
@@ -365,13 +358,10 @@ Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
     return judged(file, options, &run, progress);
 }
 
-Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
-                                                  const std::optional<WallBox>& walls,
-                                                  unsigned threads, const Progress& progress) {
+Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigned threads) {
     PrepareOptions options;
-    options.walls = walls;
     options.neighbors.threads = threads;
-    return judged(file, options, nullptr, progress);
+    return judged(file, options, nullptr, {});
 }
 
 std::shared_ptr<const MeshJudge> withoutOpeningsToClose(std::shared_ptr<const MeshJudge> judge,

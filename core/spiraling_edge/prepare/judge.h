@@ -33,11 +33,8 @@ Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
                                                   const PrepareOptions& options,
                                                   const PointSet& run,
                                                   const Progress& progress = {});
-/// As above, of points whose sides are not derived at the user's word.
-Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
-                                                  const std::optional<WallBox>& walls = {},
-                                                  unsigned threads = 0,
-                                                  const Progress& progress = {});
+/// That of points without options but the number of threads, as in NeighborOptions.
+Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigned threads = 0);
 
 /// The same without the openings that the user wants closed: those within
 /// Params::isWithinHoleLimits().

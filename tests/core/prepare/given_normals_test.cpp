@@ -208,8 +208,8 @@ TEST_CASE("given normals: the order of the points and the number of threads chan
     std::reverse(reversed.position.begin(), reversed.position.end());
     std::reverse(reversed.normal.begin(), reversed.normal.end());
     CHECK(judgeOf(file).facts.normalsFit == judgeOf(reversed).facts.normalsFit);
-    const MeshJudge one = *judgeFor(file, {}, 1).value();
-    const MeshJudge three = *judgeFor(file, {}, 3).value();
+    const MeshJudge one = *judgeFor(file, 1).value();
+    const MeshJudge three = *judgeFor(file, 3).value();
     CHECK(one.facts.normalsFit == three.facts.normalsFit);
     CHECK(one.points.normal == three.points.normal);
 }
