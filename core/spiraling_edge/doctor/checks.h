@@ -82,6 +82,7 @@ struct ExaminedFile {
 
     Index size() const { return static_cast<Index>(file.position.size()); }
     const std::vector<bool>& present() const { return intake.present; }
+    std::vector<Index> presentPoints() const;
     const NeighborLists& nearest() const { return intake.nearest; }
     const std::vector<Vec3>& normal() const { return intake.normal; }
     /// The given normals fit the points.
@@ -134,6 +135,10 @@ std::vector<EvidenceLine> evidenceAt(const ExaminedFile& examined, At&& at) {
     return lines;
 }
 
+/// Of these points those that --thin with this spacing leaves out.
+std::vector<Index> thinnedOut(const ExaminedFile& examined, const std::vector<Index>& points,
+                              double spacing);
+
 /// From points to the farthest of their lists.
 std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists);
 
@@ -156,6 +161,7 @@ std::optional<Finding> findTies(const ExaminedFile& examined);
 
 // unit_checks.cpp
 std::optional<Finding> findMixedUnits(const ExaminedFile& examined);
+std::optional<Finding> findExtremeSize(const ExaminedFile& examined);
 // pattern_checks.cpp
 std::optional<Finding> findTwins(const ExaminedFile& examined);
 std::optional<Finding> findLines(const ExaminedFile& examined);

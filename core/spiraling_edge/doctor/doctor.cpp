@@ -54,6 +54,10 @@ constexpr std::array kChecks{
                 "The nearest points are not those about a point: convert the coordinates to one "
                 "unit first.",
                 "spiraling-edge run IN --scale-by X,Y,Z -o OUT.ply", Fix::None, findMixedUnits},
+    DoctorCheck{"extreme_size", "6.3",
+                "The rules of robust compute products of up to six lengths, which overflow or "
+                "vanish: scale the points by a power of two, without rounding.",
+                "spiraling-edge run IN --scale-by X,Y,Z -o OUT.ply", Fix::None, findExtremeSize},
     DoctorCheck{"lost_digits", "3",
                 "Points were moved by up to half a step: write the file again with more digits, or "
                 "subtract an offset first.",
@@ -201,18 +205,7 @@ void replaceOnce(std::string& text, std::string_view placeholder, std::string_vi
     if (at != std::string::npos) text.replace(at, placeholder.size(), word);
 }
 
-/// From the end, since the name of the input may contain the placeholder.
-std::string withFiles(std::string command, std::string_view input, std::string_view output) {
-    replaceOnce(command, "OUT.ply", output);
-    replaceOnce(command, "IN", input);
-    return command;
-}
-
 }  // namespace
-
-std::string remedyFor(const DoctorCheck& check, std::string_view input, std::string_view output) {
-    return withFiles(std::string(check.remedy), input, output);
-}
 
 bool Finding::hasRemedy() const {
     const bool lacksFactors = check->remedy.find(kFactors) != std::string_view::npos && !scale;
@@ -222,7 +215,10 @@ bool Finding::hasRemedy() const {
 std::string commandOf(const Finding& finding, std::string_view input, std::string_view output) {
     std::string command(finding.check->remedy);
     if (finding.scale) replaceOnce(command, kFactors, factorsText(*finding.scale));
-    return withFiles(std::move(command), input, output);
+    // From the end, since the name of the input may contain the placeholder.
+    replaceOnce(command, "OUT.ply", output);
+    replaceOnce(command, "IN", input);
+    return command;
 }
 
 std::string remedyFor(const Finding& finding, std::string_view input, std::string_view output) {
@@ -252,6 +248,10 @@ ProposedDrop proposedDrop(const Diagnosis& diagnosis, std::span<const std::strin
 
 double ExaminedFile::distance(Index p, Index q) const {
     return std::sqrt(distanceSquared(file.position[p], file.position[q]));
+}
+
+std::vector<Index> ExaminedFile::presentPoints() const {
+    return pointsWhere(size(), [this](Index p) { return present()[p]; });
 }
 
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress) {

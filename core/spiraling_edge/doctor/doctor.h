@@ -112,12 +112,9 @@ struct Finding {
     bool isProblem() const { return severity != Severity::Note; }
 };
 
-/// The command that helps, with the input in place of IN and the file that it writes in place of
-/// OUT.ply, both as words of a shell (shellPath()); empty if there is none.
-std::string remedyFor(const DoctorCheck& check, std::string_view input,
-                      std::string_view output = "OUT.ply");
-
-/// The command of a finding's check, with the factors of the finding; also one without gain.
+/// The command of a finding's check, with the factors of the finding, the input in place of IN and
+/// the file that it writes in place of OUT.ply, both as words of a shell (shellPath()); also one
+/// without gain; empty if there is none.
 std::string commandOf(const Finding& finding, std::string_view input,
                       std::string_view output = "OUT.ply");
 

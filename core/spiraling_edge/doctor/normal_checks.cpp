@@ -11,20 +11,15 @@
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/facing.h"
 #include "spiraling_edge/prepare/normals.h"
-#include "spiraling_edge/prepare/orientation.h"
 
 namespace se {
 
 std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
     if (examined.file.hasNormals() || examined.size() == 0) return std::nullopt;
     std::string text = "the file has no normals";
-    std::vector<Vec3> normal = estimateNormals(examined.file.position, examined.nearest()).value();
-    OrientationOptions options;
-    options.viewpoint = examined.file.viewpoint;
-    const OrientationReport sides =
-        orientNormals(examined.file.position, examined.nearest(), normal, options).value();
-    if (sides.unknownSides > 0)
-        text += "; " + unknownSidesText(sides.unknownSides, sides.components);
+    const InputFacts& facts = examined.intake.judge->facts;
+    if (facts.unknownSides > 0)
+        text += "; " + unknownSidesText(facts.unknownSides, facts.sideParts);
     return Finding{nullptr, Severity::Warning, examined.size(), {}, std::move(text)};
 }
 

@@ -12,25 +12,9 @@
 namespace se {
 namespace {
 
-/// Of the present points those that --thin with this spacing leaves out.
-std::vector<Index> thinnedOut(const ExaminedFile& examined, double spacing) {
-    std::vector<Index> points =
-        pointsWhere(examined.size(), [&](Index p) { return examined.present()[p]; });
-    std::vector<Vec3> position;
-    position.reserve(points.size());
-    for (const Index p : points) position.push_back(examined.file.position[p]);
-    const std::vector<bool> kept = pointsIn(position, {{}, spacing});
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!kept[i]) points[left++] = points[i];
-    }
-    points.resize(left);
-    return points;
-}
-
-/// Adds what thinning leaves to the text.
+/// Adds the points that thinning leaves to the text.
 void thin(const ExaminedFile& examined, double spacing, Finding& finding) {
-    finding.surplus = thinnedOut(examined, spacing);
+    finding.surplus = thinnedOut(examined, examined.presentPoints(), spacing);
     const std::string length = shortNumber(spacing);
     finding.text += "; --thin " + length + " leaves " +
                     counted(examined.presentCount - finding.surplus->size(), "point");
@@ -40,15 +24,20 @@ void thin(const ExaminedFile& examined, double spacing, Finding& finding) {
 /// `value` rounded as its text is, so that the text says exactly what is done.
 double rounded(double value) { return std::strtod(shortNumber(value).c_str(), nullptr); }
 
-/// The distance that this share of the values stays below.
-double quantile(std::vector<double>& values, double share) {
-    const auto at = values.begin() +
-                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 }  // namespace
+
+std::vector<Index> thinnedOut(const ExaminedFile& examined, const std::vector<Index>& points,
+                              double spacing) {
+    std::vector<Vec3> position;
+    position.reserve(points.size());
+    for (const Index p : points) position.push_back(examined.file.position[p]);
+    const std::vector<bool> kept = pointsIn(position, {{}, spacing});
+    std::vector<Index> out;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!kept[i]) out.push_back(points[i]);
+    }
+    return out;
+}
 
 std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists) {
     return evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
@@ -70,11 +59,12 @@ std::optional<Finding> findTwins(const ExaminedFile& examined) {
         others.push_back(examined.distance(p, examined.nearest()[p][1]));
     }
     const double apart = medianOf(pairs);
+    if (2.0 * apart > medianOf(others)) return std::nullopt;  // Short lines.
     // Between the pairs, and the other points about them.
     constexpr double kMostPairs = 0.98;
     constexpr double kNearestOthers = 0.02;
     const double spacing =
-        rounded(std::sqrt(quantile(pairs, kMostPairs) * quantile(others, kNearestOthers)));
+        rounded(std::sqrt(quantileOf(pairs, kMostPairs) * quantileOf(others, kNearestOthers)));
     std::optional<Finding> finding =
         findingAt(std::move(points), Severity::Warning,
                   "of " + std::to_string(examined.presentCount) +

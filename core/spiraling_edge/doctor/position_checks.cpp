@@ -105,10 +105,6 @@ std::vector<bool> farStrays(const ExaminedFile& examined) {
     return far;
 }
 
-}  // namespace
-
-namespace {
-
 /// Points that are scattered off the surface, as outliers that lie near enough to each other to
 /// have neighbors: sparse, in no list of a point where the spacing is usual, and either all alone
 /// beside a dense part or amid points in no surface.

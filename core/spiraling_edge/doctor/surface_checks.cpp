@@ -10,7 +10,6 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/doctor/surface_fit.h"
-#include "spiraling_edge/prepare/piece.h"
 
 namespace se {
 namespace {
@@ -127,23 +126,13 @@ std::string surplusReason(const std::string& height) {
 /// is thick: above that the rules find its triangles (docs/doctor.md).
 std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Index>& points,
                              double height) {
-    std::vector<Vec3> position;
-    position.reserve(points.size());
-    for (const Index p : points) position.push_back(examined.file.position[p]);
-    const Piece piece{{}, kThicknessesApart * height * examined.middleSpacing};
-    const std::vector<bool> kept = pointsIn(position, piece);
-    std::vector<Index> surplus;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!kept[i]) surplus.push_back(points[i]);
-    }
-    return surplus;
+    return thinnedOut(examined, points, kThicknessesApart * height * examined.middleSpacing);
 }
 
 /// The points of a region in which these lie: all, if they are more than half; else they and their
 /// lists.
 std::vector<Index> regionOf(const ExaminedFile& examined, const std::vector<Index>& points) {
-    if (2 * points.size() > examined.presentCount)
-        return pointsWhere(examined.size(), [&](Index p) { return examined.present()[p]; });
+    if (2 * points.size() > examined.presentCount) return examined.presentPoints();
     std::vector<bool> within(examined.size(), false);
     for (const Index p : points) {
         within[p] = true;

@@ -196,6 +196,22 @@ std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
     return units;
 }
 
+std::optional<Finding> findExtremeSize(const ExaminedFile& examined) {
+    // Meshes of robust are the same for all sizes between.
+    constexpr double kMost = 1e30;
+    const Vec3 extent = examined.intake.judge->facts.extent();
+    const double size = std::max({extent.x, extent.y, extent.z});
+    if (!(size > 0.0) || (size <= kMost && size >= 1.0 / kMost)) return std::nullopt;
+    Finding finding{nullptr,
+                    Severity::Note,
+                    examined.presentCount,
+                    {},
+                    "the points span " + shortNumber(size) +
+                        ": meshes of robust may have more faults than at a usual size"};
+    finding.scale = Vec3(std::ldexp(1.0, -std::ilogb(size)));
+    return finding;
+}
+
 std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
     if (!examined.units) return std::nullopt;
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };

@@ -131,12 +131,9 @@ inline double nearestDistance(const PointSet& points, Index p) {
 /// True if the corners of all triangles have finite positions. Requires corners below
 /// points.size(). O(t) for t triangles.
 inline bool haveFinitePositions(const PointSet& points, std::span<const Triangle> triangles) {
-    const auto isFiniteAt = [&](Index p) {
-        const Vec3& x = points.position[p];
-        return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-    };
+    const std::vector<Vec3>& x = points.position;
     return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-        return isFiniteAt(t.a) && isFiniteAt(t.b) && isFiniteAt(t.c);
+        return isFinite(x[t.a]) && isFinite(x[t.b]) && isFinite(x[t.c]);
     });
 }
 

@@ -7,21 +7,18 @@
 namespace se {
 namespace {
 
-constexpr std::array<std::uint8_t, 3> kHighFaces{kPositiveX, kPositiveY, kPositiveZ};
-constexpr std::array<std::uint8_t, 3> kLowFaces{kNegativeX, kNegativeY, kNegativeZ};
-constexpr std::array<std::uint8_t, 6> kFaces{kPositiveX, kPositiveY, kPositiveZ,
-                                             kNegativeX, kNegativeY, kNegativeZ};
-
 /// The faces that `x` lies on.
 std::uint8_t facesAt(const Vec3& x, const WallBox& box, double reach) {
     if (!isFinite(x)) return kInterior;
     unsigned faces = kInterior;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (x[axis] < box.low[axis] - reach || x[axis] > box.high[axis] + reach) return kInterior;
-        if (!(box.high[axis] - box.low[axis] > 2.0 * reach)) continue;
-        const auto i = static_cast<std::size_t>(axis);
-        if (x[axis] <= box.low[axis] + reach) faces |= kLowFaces[i];
-        if (x[axis] >= box.high[axis] - reach) faces |= kHighFaces[i];
+    for (const auto& [bit, axis, sign] : kWallFaces) {
+        const double low = box.low[axis] - reach;
+        const double high = box.high[axis] + reach;
+        if (x[axis] < low || x[axis] > high) return kInterior;
+        const bool isLong = box.high[axis] - box.low[axis] > 2.0 * reach;
+        const bool isOn =
+            sign > 0.0 ? x[axis] >= box.high[axis] - reach : x[axis] <= box.low[axis] + reach;
+        if (isLong && isOn) faces |= bit;
     }
     return static_cast<std::uint8_t>(faces);
 }
@@ -47,14 +44,14 @@ std::vector<std::uint8_t> wallTypes(std::span<const Vec3> position, const WallBo
     std::array<std::size_t, 6> count{};
     for (std::size_t p = 0; p < position.size(); ++p) {
         type[p] = facesAt(position[p], box, reach);
-        for (std::size_t i = 0; i < kFaces.size(); ++i) {
-            if ((type[p] & kFaces[i]) != 0) ++count[i];
+        for (std::size_t i = 0; i < kWallFaces.size(); ++i) {
+            if ((type[p] & kWallFaces[i].bit) != 0) ++count[i];
         }
     }
     unsigned walls = 0;
     constexpr std::size_t kLeast = 3;
-    for (std::size_t i = 0; i < kFaces.size(); ++i) {
-        if (count[i] >= kLeast) walls |= kFaces[i];
+    for (std::size_t i = 0; i < kWallFaces.size(); ++i) {
+        if (count[i] >= kLeast) walls |= kWallFaces[i].bit;
     }
     for (std::uint8_t& t : type) t = withCornerBit(static_cast<std::uint8_t>(t & walls));
     return type;

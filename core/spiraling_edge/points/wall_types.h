@@ -1,6 +1,8 @@
 /// Wall types from a box that cuts the surface (§7).
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,16 @@ struct WallBox {
     /// Points not farther from a face than this lie on it. In units of the largest side.
     double tolerance = 1e-6;
 };
+
+/// A face of the box.
+struct WallFace {
+    std::uint8_t bit;
+    Vec3::length_type axis;
+    double sign;  ///< +1: the upper face of that axis.
+};
+inline constexpr std::array kWallFaces{
+    WallFace{kPositiveX, 0, 1.0},  WallFace{kPositiveY, 1, 1.0},  WallFace{kPositiveZ, 2, 1.0},
+    WallFace{kNegativeX, 0, -1.0}, WallFace{kNegativeY, 1, -1.0}, WallFace{kNegativeZ, 2, -1.0}};
 
 /// The bounding box of all points with finite positions; {0, 0} if there are none.
 WallBox boxAround(std::span<const Vec3> position);

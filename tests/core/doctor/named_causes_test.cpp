@@ -203,6 +203,46 @@ TEST_CASE("doctor: normals that fit roughly, or at too few places, are not accus
     CHECK(findingOf(examined(edges), "unfit_normals") == nullptr);
 }
 
+namespace {
+
+/// A sheet of so few points that it bends between them, with its normals.
+PointFile coarseSheet(int side, Random& random) {
+    PointFile file;
+    const Vec3 phase(random.between(0.0, 6.0), random.between(0.0, 6.0), 0.0);
+    for (int i = 0; i < side * side; ++i) {
+        const double x = (i % side + random.between(-0.3, 0.3)) / (side - 1) + phase.x;
+        const double y = (i / side + random.between(-0.3, 0.3)) / (side - 1) + phase.y;
+        file.position.emplace_back(x, y, 0.35 * std::sin(3.0 * x) * std::cos(2.5 * y));
+        file.normal.push_back(
+            glm::normalize(Vec3(-1.05 * std::cos(3.0 * x) * std::cos(2.5 * y),
+                                0.875 * std::sin(3.0 * x) * std::sin(2.5 * y), 1.0)));
+    }
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("doctor: the normals of a few points are accused only where they are far off") {
+    Random random(11);
+    for (const int side : {3, 4, 5, 6, 7}) {
+        for (int i = 0; i < 30; ++i) {
+            const PointFile sheet = coarseSheet(side, random);
+            CHECK(findingOf(examined(sheet), "unfit_normals") == nullptr);
+        }
+    }
+    for (const std::size_t points : {150U, 200U}) {
+        const PointFile sphere = fibonacciSphere(points);
+        CHECK(problemNames(sphere) == "");
+        CHECK(problemNames(withNormals(sphere, plantOneDirection, 0)) == "unfit_normals ");
+        CHECK(problemNames(withNormals(sphere, plantChance, 0)) == "unfit_normals ");
+    }
+    CHECK(problemNames(withNormals(fibonacciSphere(150), plantTilt, 1)) == "unfit_normals ");
+    PointFile few = coarseSheet(6, random);
+    for (Vec3& x : few.position) x.z *= 0.1;
+    few.normal.assign(few.position.size(), glm::normalize(Vec3(1.0, 1.0, 0.2)));
+    CHECK(findingOf(examined(few), "unfit_normals") != nullptr);
+}
+
 // ---- pairs and lines ----------------------------------------------------------------------------
 
 namespace {
@@ -321,6 +361,12 @@ TEST_CASE("doctor: pairs are said if they are more than half of the points") {
         file.normal.resize(600 + pairs);
         CHECK((findingOf(examined(file), "twins") != nullptr) == (2 * 2 * pairs > 600 + pairs));
     }
+}
+
+TEST_CASE("doctor: short lines are no pairs") {
+    PointFile lines;
+    for (int i = 0; i < 24; ++i) lines.position.emplace_back(2.0 * (i / 4), 0.3 * (i % 4), 0.0);
+    CHECK(findingOf(examined(lines), "twins") == nullptr);
 }
 
 TEST_CASE("doctor: the corners of a beam are no pairs") {
@@ -570,6 +616,26 @@ TEST_CASE("doctor: units without a conversion that makes a surface have advice a
     CHECK_FALSE(finding->hasRemedy());
     CHECK(remedyFor(*finding, "a.xyz").empty());
     CHECK(finding->text.ends_with(" with equal spans"));
+}
+
+TEST_CASE("doctor: an extreme size is noted, with a power of two that robust works with as usual") {
+    PointFile usual = fibonacciSphere(600);
+    Random random(12);
+    for (Vec3& x : usual.position) x *= random.between(0.98, 1.02);
+    const auto meshOf = [](const PointFile& file) {
+        const PointSet points = prepared(file);
+        const auto run = runAll(points, robust());
+        return std::vector<Triangle>(run.state.mesh().begin(), run.state.mesh().end());
+    };
+    CHECK(findingOf(examined(usual), "extreme_size") == nullptr);
+    for (const int power : {-500, -120, 120, 500}) {
+        const PointFile extreme = scaled(usual, Vec3(std::ldexp(1.0, power)));
+        const Diagnosis diagnosis = examined(extreme);
+        const Finding* finding = findingOf(diagnosis, "extreme_size");
+        REQUIRE(finding != nullptr);
+        CHECK(finding->severity == Severity::Note);
+        CHECK(meshOf(scaled(extreme, *finding->scale)) == meshOf(usual));
+    }
 }
 
 // ---- digits -------------------------------------------------------------------------------------
