@@ -192,9 +192,10 @@ Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& pro
     std::stable_partition(dearestLast.begin(), dearestLast.end(), [](const Finding* finding) {
         return finding->scale || finding->check->fix != Fix::None;
     });
-    std::map<std::string_view, std::optional<TriedFix>> effects;  // by command
+    const auto commandFor = [](const Finding& finding) { return commandOf(finding, "IN"); };
+    std::map<std::string, std::optional<TriedFix>> effects;  // by command
     for (const Finding* finding : dearestLast) {
-        const std::string_view command = finding->check->remedy;
+        const std::string command = commandFor(*finding);
         if (effects.contains(command)) continue;
         Result<std::optional<TriedFix>> tried = trials.tried(*finding);
         if (!tried) return tried.error();
@@ -202,7 +203,7 @@ Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& pro
     }
     if (progress && !progress(1.0)) return Error{"Cancelled."};
     for (Finding& finding : diagnosis.findings) {
-        if (finding.hasRemedy()) finding.tried = effects[finding.check->remedy];
+        if (finding.hasRemedy()) finding.tried = effects[commandFor(finding)];
     }
     return success();
 }
