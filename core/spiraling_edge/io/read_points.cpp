@@ -154,7 +154,17 @@ constexpr std::array kUnreadKinds{
     UnreadKind{"# vtk",
                "is a VTK file, which cannot be read; convert it, e.g. with "
                "\"meshio convert IN.vtk OUT.ply\" or with ParaView"},
+    UnreadKind{"{",
+               "is a text in JSON, which cannot be read; export glTF as one binary file (.glb)"},
+    UnreadKind{"<",
+               "is XML, which cannot be read; convert it, e.g. with "
+               "\"meshio convert IN.vtu OUT.ply\" or \"assimp export IN.dae OUT.ply\""},
     UnreadKind{kGzipMark, "is packed by gzip; unpack it with \"gunzip -k IN.gz\""},
+    UnreadKind{"BZh", "is packed by bzip2; unpack it with \"bunzip2 -k IN.bz2\""},
+    UnreadKind{"\xfd"
+               "7zXZ",
+               "is packed by xz; unpack it with \"unxz -k IN.xz\""},
+    UnreadKind{"\x28\xb5\x2f\xfd", "is packed by Zstandard; unpack it with \"unzstd IN.zst\""},
     UnreadKind{"PK\x03\x04", "is a ZIP archive; unpack it, e.g. with \"unzip IN.zip\""},
 };
 

@@ -159,41 +159,31 @@ Result<NamedColumns> recognizeNine(const ExtraColumns& extra) {
     return NamedColumns{std::move(names), reasonOf(early, 0) + ", " + reasonOf(late, 3)};
 }
 
+/// The letters and digits of a name, in lower case, without a unit: "X [m]", "Normals:0".
+std::string plainName(std::string_view word) {
+    std::string plain = lowerCase(word.substr(0, word.find_first_of("[(")));
+    std::erase_if(plain, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+    return plain;
+}
+
 std::string usualName(std::string_view word) {
-    std::string_view plain = word.substr(0, word.find_first_of("[("));  // "X_[m]"
-    while (!plain.empty() && plain.back() == '_') plain.remove_suffix(1);
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kNames{{
-        {"x", "x"},
-        {"y", "y"},
-        {"z", "z"},
-        {"nx", "nx"},
-        {"ny", "ny"},
-        {"nz", "nz"},
-        {"normal_x", "nx"},
-        {"normal_y", "ny"},
-        {"normal_z", "nz"},
-        {"normalx", "nx"},
-        {"normaly", "ny"},
-        {"normalz", "nz"},
-        {"r", "red"},
-        {"g", "green"},
-        {"b", "blue"},
-        {"red", "red"},
-        {"green", "green"},
-        {"blue", "blue"},
-        {"i", "intensity"},
-        {"intensity", "intensity"},
-        // As ParaView names the columns of its tables.
-        {"points:0", "x"},
-        {"points:1", "y"},
-        {"points:2", "z"},
-        {"normals:0", "nx"},
-        {"normals:1", "ny"},
-        {"normals:2", "nz"},
+    constexpr std::array<std::array<std::string_view, 6>, 10> kNames{{
+        // With the names of tables of ParaView.
+        {"x", "posx", "positionx", "xcoord", "xcoordinate", "points0"},
+        {"y", "posy", "positiony", "ycoord", "ycoordinate", "points1"},
+        {"z", "posz", "positionz", "zcoord", "zcoordinate", "points2"},
+        {"nx", "normalx", "normals0"},
+        {"ny", "normaly", "normals1"},
+        {"nz", "normalz", "normals2"},
+        {"red", "r"},
+        {"green", "g"},
+        {"blue", "b"},
+        {"intensity", "i"},
     }};
-    const std::string lower = lowerCase(plain);
-    for (const auto& [known, usual] : kNames) {
-        if (known == lower) return std::string(usual);
+    const std::string plain = plainName(word);
+    for (const auto& names : kNames) {
+        if (!plain.empty() && std::find(names.begin(), names.end(), plain) != names.end())
+            return std::string(names.front());
     }
     return std::string(word);
 }
@@ -504,7 +494,8 @@ class XyzReader : LineByLine {
             const bool good = decimalComma_ ? parseDouble(withDecimalPoint(field), value)
                                             : parseDouble(field, value);
             if (!good) {
-                return fail("expected a number, found " + inQuotes(field) + "; correct the line");
+                return fail("expected a number, found " + inQuotes(field) +
+                            "; correct the line, or write nan where a value is missing");
             }
             noteDigits(field);
             row_.push_back(value);
@@ -626,6 +617,7 @@ class XyzReader : LineByLine {
             all.insert(all.end(), names_.begin(), names_.end());
         } else {
             for (const std::size_t column : others_) names_.push_back(header_[column]);
+            if (has("")) file_.notes.emplace_back("left out: a column without a name");
             if (!headerFits()) return false;
             file_.columns.reason = "named in " + lineText(headerLine_);
         }

@@ -110,7 +110,9 @@ TEST_CASE("XYZ: a line of one whole number is the number of points, and must be 
 TEST_CASE("XYZ: a first row of names is a header, with any separator and quotation marks") {
     for (const char* header :
          {"x,y,z,nx,ny,nz", "\"X\";\"Y\";\"Z\";\"NX\";\"NY\";\"NZ\"", "x\ty\tz\tnx\tny\tnz",
-          "X Y Z Nx Ny Nz", "Points:0,Points:1,Points:2,Normals:0,Normals:1,Normals:2"}) {
+          "X Y Z Nx Ny Nz", "Points:0,Points:1,Points:2,Normals:0,Normals:1,Normals:2",
+          "\"Points_0\",\"Points_1\",\"Points_2\",\"Normals_0\",\"Normals_1\",\"Normals_2\"",
+          "pos_x;pos_y;pos_z;n_x;n_y;n_z", "X_coord,Y_coord,Z_coord,normal.x,normal.y,normal.z"}) {
         CAPTURE(header);
         const PointFile file = mustRead(std::string(header) + "\n1 2 3 0 0 1\n", "a.csv");
         CHECK(file.position[0] == Vec3(1, 2, 3));
@@ -386,12 +388,28 @@ TEST_CASE("Files: formats that are known by their header may hold no points, oth
     CHECK(contains(errorOf(std::string(84, '\0'), "a.stl"), "holds no triangles"));
 }
 
+TEST_CASE("CSV: a column without a name is left out, and named; a missing value is explained") {
+    const PointFile file = mustRead(",x,y,z\n0,1,2,3\n1,4,5,6\n", "a.csv");
+    CHECK(file.position == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(file.attributes.empty());
+    CHECK(file.notes == std::vector<std::string>{"left out: a column without a name"});
+    CHECK(contains(errorOf("x,y,z\n1,2,NA\n", "a.csv"), "write nan where a value is missing"));
+}
+
 TEST_CASE("Files: kinds that are not read are named, with the program that converts them") {
     CHECK(contains(errorOf("ASTM-E57...", "a.e57"), "pdal translate"));
     CHECK(contains(errorOf("\x93NUMPY...", "a.npy"), "numpy.savetxt"));
     CHECK(contains(errorOf("\x1f\x8b...", "a.ply.gz"), "gunzip"));
+    CHECK(contains(errorOf("BZh91AY...", "a.xyz.bz2"), "bunzip2"));
+    CHECK(contains(errorOf("\xfd"
+                           "7zXZ...",
+                           "a.xyz.xz"),
+                   "unxz"));
+    CHECK(contains(errorOf("\x28\xb5\x2f\xfd...", "a.xyz.zst"), "unzstd"));
     CHECK(contains(errorOf("ncols 4\nnrows 3\n", "a.asc"), "gdal_translate -of XYZ"));
     CHECK(contains(errorOf("# vtk DataFile Version 3.0\n", "a.vtk"), "meshio convert"));
+    CHECK(contains(errorOf("{\"asset\": {\"version\": \"2.0\"}}", "a.gltf"), ".glb"));
+    CHECK(contains(errorOf("<?xml version=\"1.0\"?>\n<VTKFile/>\n", "a.vtu"), "meshio convert"));
 }
 
 TEST_CASE("Files: a packed file is read where there is a function that unpacks it") {
