@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "spiraling_edge/base/text_scan.h"
@@ -62,6 +63,17 @@ Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 /// Appends the fan of a polygon around its first corner; none for fewer than three corners.
 void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
 
+/// Adds the columns red, green and blue: value(p, channel), from 0 to 255.
+template <typename Value>
+void addColorColumns(PointFile& file, Value&& value) {
+    const char* const names[] = {"red", "green", "blue"};
+    for (int channel = 0; channel < 3; ++channel) {
+        std::vector<double> values(file.position.size());
+        for (std::size_t p = 0; p < values.size(); ++p) values[p] = value(p, channel);
+        file.attributes.push_back({names[channel], ScalarType::UInt8, std::move(values)});
+    }
+}
+
 /// Colors of points in formats that do not say their scale: fractions of 1, or whole numbers up to
 /// 255.
 class PointColors {
@@ -109,6 +121,9 @@ class FirstProblem {
         problem_ = errorAt(name_, place, what);
         return false;
     }
+    bool fail(std::size_t byte, const std::string& what) {
+        return failAt("byte " + std::to_string(byte), what);
+    }
 
     const std::string& name_;
     Error problem_;
@@ -122,6 +137,14 @@ class LineByLine : protected FirstProblem {
   protected:
     bool failIn(std::size_t line, const std::string& what) { return failAt(lineText(line), what); }
     bool fail(const std::string& what) { return failIn(lines_.number(), what); }
+    bool readVector(Fields& fields, Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view field = fields.next();
+            if (parseDouble(field, vector[axis])) continue;
+            return fail("expected three numbers, found " + inQuotes(field) + "; correct the line");
+        }
+        return true;
+    }
 
     LineReader lines_;
 };

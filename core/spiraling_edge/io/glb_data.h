@@ -33,9 +33,6 @@ class GlbData : protected FirstProblem {
   protected:
     GlbData(std::string_view bytes, const std::string& name) : FirstProblem(name), bytes_(bytes) {}
 
-    bool fail(std::size_t byte, const std::string& what) {
-        return failAt("byte " + std::to_string(byte), what);
-    }
     /// Reads the chunks. Fails for extensions that change places or triangles, and for data in
     /// other files.
     bool readDocument();

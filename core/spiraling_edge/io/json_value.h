@@ -23,7 +23,6 @@ struct JsonValue {
 
     bool isThere() const { return kind != Kind::Missing; }
     bool isList() const { return kind == Kind::List; }
-    bool isObject() const { return kind == Kind::Object; }
     /// The first member of that name; one that is missing for any other name or kind.
     const JsonValue& member(std::string_view name) const;
     /// The value at a place of a list; one that is missing beyond its end.

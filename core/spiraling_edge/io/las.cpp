@@ -72,9 +72,6 @@ class LasReader : FirstProblem {
         return loadScalar<Scalar>(bytes_.data() + byte, kLittleIsSwapped);
     }
     const RecordLayout& layout() const { return kLayouts[format_]; }
-    bool fail(std::size_t byte, const std::string& what) {
-        return failAt("byte " + std::to_string(byte), what);
-    }
 
     bool readHeader() {
         if (bytes_.size() < kLeastHeader) {
@@ -197,23 +194,22 @@ class LasReader : FirstProblem {
     /// Colors have 16 bits; many writers use the lower 8 alone.
     void keepColors() {
         if (layout().colorAt == 0) return;
-        const std::size_t before = file_.attributes.size();
-        constexpr std::array<const char*, 3> kNames{"red", "green", "blue"};
-        double most = 0.0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            Attribute column{kNames[i], ScalarType::UInt8, std::vector<double>(count_)};
-            Column{column.values.data(), 1}.load(ScalarType::UInt16,
-                                                 record(0) + layout().colorAt + 2 * i, recordSize_,
-                                                 count_, kLittleIsSwapped);
-            most = std::max(most, *std::max_element(column.values.begin(), column.values.end()));
-            file_.attributes.push_back(std::move(column));
+        const auto color = [this](std::size_t point, int channel) -> unsigned {
+            return loadScalar<std::uint16_t>(record(point) + layout().colorAt + 2 * channel,
+                                             kLittleIsSwapped);
+        };
+        unsigned most = 0;
+        for (std::size_t point = 0; point < count_; ++point) {
+            for (int channel = 0; channel < 3; ++channel)
+                most = std::max(most, color(point, channel));
         }
-        if (most == 0.0) return file_.attributes.resize(before);
-        if (most <= 255.0) return;
-        for (std::size_t i = before; i < file_.attributes.size(); ++i) {
-            for (double& value : file_.attributes[i].values) value = std::floor(value / 256.0);
+        if (most == 0) return;
+        const unsigned divisor = most > 255 ? 256 : 1;
+        addColorColumns(
+            file_, [&](std::size_t point, int channel) { return color(point, channel) / divisor; });
+        if (divisor > 1) {
+            file_.notes.emplace_back("colors of 16 bits are kept as red, green and blue of 8 bits");
         }
-        file_.notes.emplace_back("colors of 16 bits are kept as red, green and blue of 8 bits");
     }
 
     std::string_view bytes_;

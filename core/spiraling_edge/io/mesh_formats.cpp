@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <glm/common.hpp>
@@ -17,12 +16,6 @@
 
 namespace se::io {
 namespace {
-
-void appendIndex(std::string& text, Index value) {
-    std::array<char, 12> out;
-    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
-    text.append(out.data(), end);
-}
 
 /// Three numbers that read back exactly.
 void appendRow(std::string& text, const Vec3& v, char separator = ' ') {
@@ -54,10 +47,7 @@ std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal
     }
     for (const Triangle& t : triangles) {
         text += '3';
-        for (const Index corner : {t.a, t.b, t.c}) {
-            text += ' ';
-            appendIndex(text, corner);
-        }
+        for (const Index corner : {t.a, t.b, t.c}) text += ' ' + std::to_string(corner);
         text += '\n';
     }
     return text;
@@ -73,11 +63,9 @@ std::string objBytes(const PointFile& points, std::span<const Triangle> triangle
     for (const Triangle& t : triangles) {
         text += 'f';
         for (const Index corner : {t.a, t.b, t.c}) {
-            text += ' ';
-            appendIndex(text, corner + 1);
-            if (!points.hasNormals()) continue;
-            text += "//";
-            appendIndex(text, corner + 1);
+            const std::string number = std::to_string(corner + 1);
+            text += ' ' + number;
+            if (points.hasNormals()) text += "//" + number;
         }
         text += '\n';
     }

@@ -72,7 +72,7 @@ class ObjReader : LineByLine {
 
     bool readStatement(std::string_view keyword, Fields& fields) {
         if (keyword == "v") return readPoint(fields);
-        if (keyword == "vn") return readVector(fields, normals_);
+        if (keyword == "vn") return readVector(fields, normals_.emplace_back());
         if (keyword == "f") return readFace(fields);
         leftOut_.insert(keyword);
         return true;
@@ -113,7 +113,7 @@ class ObjReader : LineByLine {
 
     /// A color may follow the position; a weight is read over, unless it is 1.
     bool readPoint(Fields& fields) {
-        if (!readVector(fields, file_.position)) return false;
+        if (!readVector(fields, file_.position.emplace_back())) return false;
         Vec3 color{0.0};
         int more = 0;
         for (auto field = fields.next(); !field.empty(); field = fields.next(), ++more) {
@@ -127,18 +127,6 @@ class ObjReader : LineByLine {
         if (more >= 3) colors_.add(color);
         if (more == 4) colors_.leaveOutAlpha();
         if (more == 1 && color[0] != 1.0) leftOut_.insert("w");
-        return true;
-    }
-    bool readVector(Fields& fields, std::vector<Vec3>& target) {
-        Vec3 vector{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::string_view field = fields.next();
-            if (!parseDouble(field, vector[axis])) {
-                return fail("expected three numbers, found " + inQuotes(field) +
-                            "; correct the line");
-            }
-        }
-        target.push_back(vector);
         return true;
     }
 

@@ -32,6 +32,8 @@ struct PcdField {
         }
         return std::nullopt;
     }
+    /// The size of all its numbers in a row.
+    std::size_t bytes() const { return size * static_cast<std::size_t>(count); }
     bool isColor() const { return (name == "rgb" || name == "rgba") && size == 4 && count == 1; }
     /// The type of its numbers in memory. Requires a type().
     ScalarType valueType() const {
@@ -199,7 +201,7 @@ class PcdReader : LineByLine {
         rowSize_ = 0;
         std::uint64_t numbers = 0;
         for (const PcdField& field : fields_) {
-            rowSize_ += field.size * field.count;
+            rowSize_ += field.bytes();
             numbers += field.count;
         }
         // Checked before allocation: a number has at least two bytes in text, with its separator.
@@ -321,18 +323,22 @@ class PcdReader : LineByLine {
         return data_ == Data::Compressed ? readCompressed() : readBinary();
     }
 
+    /// Loads the numbers of a field that is kept, each `stride` bytes after the one before.
+    void load(std::size_t field, const char* first, std::size_t stride) const {
+        if (columns_[field].first == nullptr) return;
+        columns_[field].load(fields_[field].valueType(), first, stride,
+                             static_cast<std::size_t>(*points_), kLittleIsSwapped);
+    }
+
     bool readBinary() {
         const std::string_view rows = lines_.rest();
         const auto n = static_cast<std::size_t>(*points_);
         const std::size_t expected = rowSize_ * n;
         if (rows.size() < expected) return failCut(rows.size() / rowSize_);
-        std::size_t at = 0;
+        const char* at = rows.data();
         for (std::size_t i = 0; i < fields_.size(); ++i) {
-            if (columns_[i].first != nullptr) {
-                columns_[i].load(fields_[i].valueType(), rows.data() + at, rowSize_, n,
-                                 kLittleIsSwapped);
-            }
-            at += fields_[i].size * fields_[i].count;
+            load(i, at, rowSize_);
+            at += fields_[i].bytes();
         }
         // Some writers append a line end or fill up a page with zeros.
         const std::string_view rest = rows.substr(expected);
@@ -359,13 +365,10 @@ class PcdReader : LineByLine {
                           "the compressed points are damaged, or not the " + std::to_string(n) +
                               " that the header announces");
         }
-        std::size_t at = 0;
+        const char* at = bytes.data();
         for (std::size_t i = 0; i < fields_.size(); ++i) {
-            const std::size_t size = fields_[i].size * fields_[i].count;
-            if (columns_[i].first != nullptr)
-                columns_[i].load(fields_[i].valueType(), bytes.data() + at, size, n,
-                                 kLittleIsSwapped);
-            at += size * n;
+            load(i, at, fields_[i].bytes());
+            at += fields_[i].bytes() * n;
         }
         return true;
     }
@@ -392,17 +395,9 @@ class PcdReader : LineByLine {
         const bool hasAlpha = packed->name == "rgba" && hasTransparent(colors);
         if (hasAlpha) file_.notes.emplace_back("left out: transparency of colors");
         file_.attributes.erase(packed);
-        unsigned shift = 16;
-        for (const char* name : {"red", "green", "blue"}) {
-            Attribute channel{name, ScalarType::UInt8, {}};
-            channel.values.reserve(colors.size());
-            for (const double value : colors) {
-                const auto bits = static_cast<std::uint32_t>(value);
-                channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
-            }
-            file_.attributes.push_back(std::move(channel));
-            shift -= 8;
-        }
+        addColorColumns(file_, [&](std::size_t p, int channel) {
+            return (static_cast<std::uint32_t>(colors[p]) >> (16 - 8 * channel)) & 0xFFU;
+        });
     }
 
     std::size_t whole_;

@@ -493,17 +493,11 @@ class BodyReader {
             noteOthers(element, columns, kNoProperty);
             return readRows(element, columns, kNoProperty, ignore);
         }
-        if (element.name == "face" || element.name == "tristrips")
+        if (element.name == "face" || element.name == "tristrips") {
+            const auto append = element.name == "face" ? appendFan : appendStrips;
             noteOthers(element, nowhere, findIndexList(element));
-        if (element.name == "face") {
-            return readRows(element, nowhere, findIndexList(element), [this] {
-                appendFan(list_, file_.faces);
-                return true;
-            });
-        }
-        if (element.name == "tristrips") {
-            return readRows(element, nowhere, findIndexList(element), [this] {
-                appendStrips(list_, file_.faces);
+            return readRows(element, nowhere, findIndexList(element), [&] {
+                append(list_, file_.faces);
                 return true;
             });
         }
@@ -596,7 +590,8 @@ class BodyReader {
             if (value < 0.0 || value >= static_cast<double>(points_)) {
                 return rows_.fail(
                     "list " + inQuotes(property.name) + " names point " + wholeText(value) +
-                    ", but the points are numbered from 0 to below " + std::to_string(points_));
+                    ", but the points are numbered from 0 to below " + std::to_string(points_) +
+                    "; the file is damaged, or its rows are not as the header says");
             }
             list_.push_back(static_cast<Index>(value));
         }

@@ -9,6 +9,7 @@
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {
@@ -150,19 +151,12 @@ void appendNeighbors(const NeighborLists& lists, std::string& bytes) {
 
 Status io::checkWritable(const PointFile& points, std::span<const Triangle> triangles) {
     const std::size_t count = points.position.size();
-    const auto fits = [&](std::size_t size) { return size == 0 || size == count; };
-    bool same =
-        fits(points.normal.size()) && fits(points.type.size()) && fits(points.neighbors.size());
-    for (const Attribute& attribute : points.attributes) {
-        same = same && attribute.values.size() == count;
-    }
+    const bool same = checkColumns(points).ok() &&
+                      std::all_of(points.attributes.begin(), points.attributes.end(),
+                                  [&](const Attribute& a) { return a.values.size() == count; });
     if (!same) return Error{"the columns of the points to be written differ in length"};
-    for (const Triangle& t : triangles) {
-        if (std::max({t.a, t.b, t.c}) >= count) {
-            return Error{"a triangle to be written names a point that does not exist"};
-        }
-    }
-    return success();
+    if (cornersBelow(triangles, count)) return success();
+    return Error{"a triangle to be written names a point that does not exist"};
 }
 
 std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles) {

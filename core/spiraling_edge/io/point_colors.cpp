@@ -1,7 +1,6 @@
 // Colors of points in OBJ, OFF and GLB. These formats do not say which of two scales they use, or
 // programs write both.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "spiraling_edge/base/counted.h"
@@ -49,16 +48,10 @@ void PointColors::take(PointFile& file) const {
         file.notes.push_back("left out: colors that are neither from 0 to 1 nor whole up to 255");
         return;
     }
-    constexpr std::array<const char*, 3> kNames{"red", "green", "blue"};
-    for (int channel = 0; channel < 3; ++channel) {
-        Attribute column{kNames[static_cast<std::size_t>(channel)], ScalarType::UInt8, {}};
-        column.values.reserve(colors_.size());
-        for (const Vec3& color : colors_) {
-            const double value = isFinite(color) ? color[channel] : 0.0;
-            column.values.push_back(fractions ? std::round(255.0 * value) : value);
-        }
-        file.attributes.push_back(std::move(column));
-    }
+    addColorColumns(file, [&](std::size_t p, int channel) {
+        const double value = isFinite(colors_[p]) ? colors_[p][channel] : 0.0;
+        return fractions ? std::round(255.0 * value) : value;
+    });
     file.notes.push_back(std::string("colors ") + (fractions ? "from 0 to 1 " : "") +
                          "are kept as red, green and blue from 0 to 255");
     if (unknown > 0)

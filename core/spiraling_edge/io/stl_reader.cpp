@@ -144,15 +144,6 @@ class TextReader : LineByLine {
     }
 
   private:
-    bool readVector(Fields& fields, Vec3& vector) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::string_view field = fields.next();
-            if (parseDouble(field, vector[axis])) continue;
-            return fail("expected three numbers, found " + inQuotes(field) + "; correct the line");
-        }
-        return true;
-    }
-
     Vec3 normal_{0.0};
     std::vector<Vec3> corners_;
     bool ended_ = false;
