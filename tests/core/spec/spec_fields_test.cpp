@@ -101,7 +101,7 @@ TEST_CASE("spec fields: a change in words and as options of run") {
         specChange({{"doctor", "two_layers"}, {"rules", "robust"}, {"neighbors", "10"}});
     CHECK(wordsOf(change) == "the fix of two layers, robust rules, 10 neighbors");
     CHECK(optionsOf(change) == Options{"--rules robust", "--neighbors 10"});
-    CHECK(wordsOf({}) == "no change");
+    CHECK(wordsOf(SpecChange{}) == "no change");
     CHECK(
         optionsOf(specChange({{"switches", "fill=off"}, {"normals", "derived"}, {"rim", "on"}})) ==
         Options{"--rule fill=off", "--derive-normals", "--derive-rim"});
