@@ -396,6 +396,22 @@ TEST_CASE("CSV: a column without a name is left out, and named; a missing value 
     CHECK(contains(errorOf("x,y,z\n1,2,NA\n", "a.csv"), "write nan where a value is missing"));
 }
 
+TEST_CASE("PLY, PCD and OFF: elements, fields and textures that are not read are named") {
+    const auto notesOf = [](const std::string& text, const char* name) {
+        return mustRead(text, name).notes;
+    };
+    using Notes = std::vector<std::string>;
+    CHECK(notesOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                  "property float z\nelement material 1\nproperty int shine\nend_header\n"
+                  "1 2 3\n7\n",
+                  "a.ply") == Notes{"left out: element material"});
+    CHECK(notesOf("VERSION 0.7\nFIELDS x y z histogram\nSIZE 4 4 4 4\nTYPE F F F F\n"
+                  "COUNT 1 1 1 2\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 3 4 5\n",
+                  "a.pcd") == Notes{"left out: field histogram"});
+    CHECK(notesOf("STOFF\n1 0 0\n1 2 3 0.5 0.5\n", "a.off") ==
+          Notes{"left out: texture coordinates"});
+}
+
 TEST_CASE("Files: kinds that are not read are named, with the program that converts them") {
     CHECK(contains(errorOf("ASTM-E57...", "a.e57"), "pdal translate"));
     CHECK(contains(errorOf("\x93NUMPY...", "a.npy"), "numpy.savetxt"));

@@ -196,6 +196,33 @@ TEST_CASE("missing values: planes of a scene are none, at any height and in any 
     CHECK(sentinelsOf(plates).empty());
 }
 
+TEST_CASE("missing values: levels, floors, and values of most points are none") {
+    const auto countMissing = [](const std::vector<Vec3>& position) {
+        const PlacedPoints placed = placedPoints(position);
+        return std::count(placed.aside.begin(), placed.aside.end(), Aside::Sentinel);
+    };
+    Random random(3);
+    const auto place = [&](double z) {
+        return Vec3(random.between(0.0, 10.0), random.between(0.0, 10.0), z);
+    };
+    std::vector<Vec3> levels;
+    std::vector<Vec3> canopy;
+    std::vector<Vec3> mostly;
+    for (int i = 0; i < 500; ++i) {
+        levels.push_back(place(10.0 * static_cast<double>(random.below(5))));
+        canopy.push_back(place(i < 100 ? -2.0 : random.between(0.0, 1.5)));
+        mostly.push_back(place(i % 5 < 3 ? -9999.0 : random.between(0.0, 1.0)));
+    }
+    CHECK(countMissing(levels) == 0);
+    CHECK(countMissing(canopy) == 0);  // The floor is a block of the file.
+    CHECK(countMissing(mostly) == 0);
+    // As wide a gap among the others does not hide a value that is never measured.
+    std::vector<Vec3> apart;
+    for (int i = 0; i < 90; ++i)
+        apart.push_back(place(i % 9 == 0 ? -9999.0 : (i % 2 == 0 ? 4000.0 : 0.0) + 0.01 * i));
+    CHECK(countMissing(apart) == 10);
+}
+
 TEST_CASE("missing values: at the user's word far values are places like all others") {
     Places heights = raster(30, 500.0);
     for (const Index p : some(heights.size())) heights[p].z = -9999.0;

@@ -167,6 +167,35 @@ TEST_CASE(
     CHECK(before < 2);
 }
 
+TEST_CASE("tried fixes: once the work is done, neither a pair of runs nor --best is tried") {
+    // --best comes first in the report, and is tried last.
+    PointFile file = inPairs(fibonacciSphere(300), 0.002);
+    for (Vec3& normal : file.normal) normal = glm::normalize(Vec3(0.2, 0.3, 1.0));
+    Diagnosis diagnosis = examined(file);
+    Finding best;
+    best.check = findDoctorCheck("no_normals");
+    diagnosis.findings.insert(diagnosis.findings.begin(), best);
+    REQUIRE(tryFixes(file, diagnosis, {}, 1).ok());
+    CHECK_FALSE(diagnosis.findings.front().tried);
+    const Finding* twins = findingOf(diagnosis, "twins");
+    const Finding* unfit = findingOf(diagnosis, "unfit_normals");
+    REQUIRE(twins != nullptr);
+    REQUIRE(unfit != nullptr);
+    CHECK(twins->tried.has_value());
+    CHECK_FALSE(unfit->tried.has_value());
+    // Even where --best would take a single run.
+    PointFile strayed = fibonacciSphere(300);
+    strayed.position.emplace_back(0.0, 0.0, 6.0);
+    strayed.normal.emplace_back(0.0, 0.0, 1.0);
+    diagnosis = examined(strayed);
+    diagnosis.findings.insert(diagnosis.findings.begin(), best);
+    REQUIRE(tryFixes(strayed, diagnosis, {}, 1000).ok());
+    const Finding* stray = findingOf(diagnosis, "isolated_points");
+    REQUIRE(stray != nullptr);
+    CHECK(stray->tried.has_value());
+    CHECK_FALSE(diagnosis.findings.front().tried);
+}
+
 TEST_CASE("tried fixes: cancelled at any share, and the findings stay as they were") {
     const PointFile pairs = inPairs(fibonacciSphere(300), 0.002);
     for (const double limit : {0.0, 0.3, 0.7}) {
