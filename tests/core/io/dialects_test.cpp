@@ -388,7 +388,7 @@ TEST_CASE("Files: formats that are known by their header may hold no points, oth
     CHECK(contains(errorOf(std::string(84, '\0'), "a.stl"), "holds no triangles"));
 }
 
-TEST_CASE("CSV: a column without a name is left out, and named; a missing value is explained") {
+TEST_CASE("CSV: a column without a name is named as left out, and a missing value explained") {
     const PointFile file = mustRead(",x,y,z\n0,1,2,3\n1,4,5,6\n", "a.csv");
     CHECK(file.position == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
     CHECK(file.attributes.empty());
