@@ -47,8 +47,6 @@ struct StepContext {
     void change(Index p) const {
         if (waiting != nullptr) waiting->change(p, state.counters.pivots);
     }
-    /// True if angles grow clockwise (PaperRules::turn).
-    bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }
 };
 
 // Phases are compiled twice, for a context with a log and for one without: a branch at each event
@@ -72,13 +70,6 @@ template <AnyContext Context>
 constexpr const PaperRules& paperRules(const Context& context) {
     if constexpr (kLogging<Context>) return context.params.paper;
     return kDefaultPaperRules;
-}
-
-/// The normal about which angles at a point grow counterclockwise: turned over where they grow
-/// clockwise (PaperRules::turn).
-Vec3 turnNormal(const AnyContext auto& context, Index p) {
-    const bool clockwise = paperRules(context).turn == TurnRule::Clockwise;
-    return clockwise ? -context.points.normal[p] : context.points.normal[p];
 }
 
 /// Logs an event of `pivot` with the evidence that `make` returns; nothing without a log.

@@ -56,12 +56,32 @@ bool forksAt(const Params& params, std::uint32_t pivot) {
                        [&](const WhatIf& each) { return each.pivot == pivot; });
 }
 
+/// The sets of a run by turnedPoints(); empty where those are the given ones.
+std::vector<EditedPoints> turnedSets(const PointSet& points,
+                                     const std::vector<EditedPoints>& edited,
+                                     const Params& params) {
+    if (params.paper.turn != TurnRule::Clockwise) return {};
+    std::vector<EditedPoints> made{{0, *turnedPoints(points, params)}};
+    for (const EditedPoints& each : edited)
+        made.push_back({each.from, *turnedPoints(each.points, params)});
+    return made;
+}
+
 }  // namespace
+
+SharedPoints turnedPoints(SharedPoints points, const Params& params) {
+    if (params.paper.turn != TurnRule::Clockwise) return points;
+    PointSet turned = *points;
+    for (Vec3& each : turned.normal) each = -each;
+    for (RimGap& gap : turned.rim) std::swap(gap.from, gap.to);
+    return turned;
+}
 
 Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
     : points_(std::move(points)),
       params_(params),
       edited_(editedPoints(*points_, params)),
+      turned_(turnedSets(*points_, edited_, params)),
       altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
       rimAnswers_(params.robust.rim && edited_.empty() ? points_->size() : 0),
       waiting_(params.robust.looksAtFan() && !altered_
@@ -70,10 +90,12 @@ Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
       state_(startState(*points_, params)),
       log_(log) {}
 
-const PointSet& Stepper::points() const {
+const PointSet& Stepper::points() const { return setAt(edited_); }
+
+const PointSet& Stepper::setAt(const std::vector<EditedPoints>& sets) const {
     const PointSet* found = &*points_;
-    const std::uint32_t pivot = edited_.empty() ? 0 : presentPivot(state_);
-    for (const EditedPoints& each : edited_) {
+    const std::uint32_t pivot = sets.empty() ? 0 : presentPivot(state_);
+    for (const EditedPoints& each : sets) {
         if (each.from <= pivot) found = &each.points;
     }
     return *found;
@@ -81,20 +103,21 @@ const PointSet& Stepper::points() const {
 
 template <typename Work>
 bool Stepper::inContext(Work&& work) {
+    const PointSet& points = setAt(turned_.empty() ? edited_ : turned_);
     RimAnswer* const rims = rimAnswers_.empty() ? nullptr : rimAnswers_.data();
 #ifndef SPIRALING_EDGE_WITHOUT_LOG
     if (log_ != nullptr || observer_) {
-        LoggedContext context{{points(), params_, state_, rims, waiting_.get()},
+        LoggedContext context{{points, params_, state_, rims, waiting_.get()},
                               log_ != nullptr ? *log_ : observed_};
         return work(context);
     }
 #endif
     if (altered_ && (!(params_.paper == PaperRules{}) || forksAt(params_, presentPivot(state_)))) {
         EventLog discardedLog;
-        LoggedContext context{{points(), params_, state_, rims, waiting_.get()}, discardedLog};
+        LoggedContext context{{points, params_, state_, rims, waiting_.get()}, discardedLog};
         return work(context);
     }
-    UnloggedContext context{{points(), params_, state_, rims, waiting_.get()}};
+    UnloggedContext context{{points, params_, state_, rims, waiting_.get()}};
     return work(context);
 }
 

@@ -29,6 +29,10 @@ struct EditedPoints {
 /// without such.
 std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
 
+/// The points as the rules take them: where angles grow clockwise (PaperRules::turn), normals and
+/// the gaps of rim points are turned over in a copy, so that no rule asks for the direction.
+SharedPoints turnedPoints(SharedPoints points, const Params& params);
+
 /// The reason why runUntil() returned.
 enum class StopReason : std::uint8_t {
     Finished,   ///< Every point is DONE.
@@ -97,11 +101,14 @@ class Stepper {
     template <typename Work>
     bool inContext(Work&& work);
     bool stepPivotObserved();
+    /// The last of these sets that begins at or before the current place, else the input.
+    const PointSet& setAt(const std::vector<EditedPoints>& sets) const;
     StopReason reason() const;
 
     SharedPoints points_;
     Params params_;
     std::vector<EditedPoints> edited_;
+    std::vector<EditedPoints> turned_;  ///< turnedPoints() of all, input first; empty: as given.
     /// Non-default paper rules or what-ifs: such a run takes the logging code path with or without
     /// a log.
     bool altered_;

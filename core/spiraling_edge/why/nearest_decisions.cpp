@@ -13,6 +13,7 @@
 
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/stepper/rules.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {
@@ -172,7 +173,7 @@ std::optional<FlippingMove> flippingMoveOf(const Event& event, const FlippingMov
 class Shortlist {
   public:
     Shortlist(const PointSet& points, const Params& params, std::size_t count)
-        : points_(points),
+        : points_(turnedPoints(points, params)),
           params_(params),
           count_(count),
           least_(points.size(), std::numeric_limits<double>::infinity()) {}
@@ -185,7 +186,7 @@ class Shortlist {
                 first = p->first;
                 last = p->last;
             }
-            const auto reading = readingOf(event, {points_, params_, pivot.point});
+            const auto reading = readingOf(event, {*points_, params_, pivot.point});
             if (!reading) continue;
             if (const Index p = testedPoint(event); p != kNone)
                 least_[p] = std::min(least_[p], std::abs(reading->margin));
@@ -204,14 +205,14 @@ class Shortlist {
         const std::pair key(std::abs(decision.reading.margin), number_++);
         if (best_.size() == count_ && (count_ == 0 || key > best_.rbegin()->first)) return;
         const auto move =
-            flippingMoveOf(decision.event, {points_, params_, decision.pivot, first, last});
+            flippingMoveOf(decision.event, {*points_, params_, decision.pivot, first, last});
         if (!move) return;
         decision.move = *move;
         best_.emplace(key, decision);
         if (best_.size() > count_) best_.erase(std::prev(best_.end()));
     }
 
-    const PointSet& points_;
+    const SharedPoints points_;
     const Params& params_;
     std::size_t count_;
     std::vector<double> least_;

@@ -18,13 +18,12 @@ bool lists(const PointSet& points, Index p, Index q) {
     return std::find(list.begin(), list.end(), q) != list.end();
 }
 
-/// True if the way from `at` to p leads into the triangle, between its two other points. `turn` is
-/// 1 for triangles that run counterclockwise about the normal, else -1.
-bool isInSector(const PointSet& points, double turn, const Triangle& t, Index at, Index p) {
+/// True if the way from `at` to p leads into the triangle, between its two other points.
+bool isInSector(const PointSet& points, const Triangle& t, Index at, Index p) {
     const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
     const Index y = at == t.a ? t.c : at == t.b ? t.a : t.b;
     const auto to = [&](Index q) { return points.position[q] - points.position[at]; };
-    const Vec3 n = turn * points.normal[at];
+    const Vec3& n = points.normal[at];
     return x != p && y != p && glm::dot(glm::cross(to(x), to(p)), n) > 0.0 &&
            glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
 }
@@ -32,9 +31,8 @@ bool isInSector(const PointSet& points, double turn, const Triangle& t, Index at
 /// Triangles in the place of an absent subject, the latest: made at a corner of it, across the
 /// direction to another corner; of one point, across the direction to it from a near neighbor.
 /// O(triangles).
-std::vector<Triangle> rivalsOf(const PointSet& points, const Params& params, const Subject& subject,
+std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
                                std::span<const Triangle> made) {
-    const double turn = params.paper.turn == TurnRule::Clockwise ? -1.0 : 1.0;
     constexpr std::size_t kNearby = 6;
     constexpr std::size_t kMostRivals = 8;
     std::vector<std::pair<Index, Index>> ways;
@@ -50,7 +48,7 @@ std::vector<Triangle> rivalsOf(const PointSet& points, const Params& params, con
     for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
         const Triangle& t = made[i];
         const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
-            return hasCorner(t, way.first) && isInSector(points, turn, t, way.first, way.second);
+            return hasCorner(t, way.first) && isInSector(points, t, way.first, way.second);
         });
         if (inTheWay) rivals.push_back(t);
     }
@@ -101,7 +99,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     Ledger& ledger = asked.value();
     std::vector<Triangle> rivals;
     if (!ledger.present && ledger.provedBy == ProvedBy::Nothing)
-        rivals = rivalsOf(points, params, subject, end->triangles);
+        rivals = rivalsOf(*turnedPoints(points, params), subject, end->triangles);
     if (!addMakings(points, params, rivals, {}, ledger,
                     partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
         return Error{"Cancelled."};

@@ -46,17 +46,10 @@ bool insertThird(AnyContext auto& context, InsertEvidence evidence, Index third,
 
 // Choice: a rim point's next on the rim takes the place of the third point on its wall.
 
-/// The gap of a rim point, in the direction in which angles grow.
-RimGap turnGap(const AnyContext auto& context, Index p) {
-    const RimGap gap = context.points.gapAt(p);
-    const bool clockwise = paperRules(context).turn == TurnRule::Clockwise;
-    return clockwise ? RimGap{gap.to, gap.from} : gap;
-}
-
 /// §7.1 for a rim point: the end of its gap goes before it, the beginning after it, so that the
 /// remaining sector lies on the surface.
 bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
-    const RimGap gap = turnGap(context, p);
+    const RimGap gap = context.points.gapAt(p);
     const auto isFree = [&](Index x) { return x != kNone && context.state.status[x] == kUnused; };
     const bool before = isFree(gap.to);
     const Index third = before ? gap.to : isFree(gap.from) ? gap.from : kNone;
@@ -71,11 +64,11 @@ bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
 /// rest on one side of the gap is meshed with the end of the gap as third point.
 bool tryRimPivot(AnyContext auto& context, const OnRing& at) {
     const PointSet& points = context.points;
-    const RimGap gap = turnGap(context, at.p);
+    const RimGap gap = points.gapAt(at.p);
     if (!gap.known()) return false;
     const auto place = [&](Index x) { return points.position[x]; };
     const RimSector sector =
-        testRimSector(place(at.p), turnNormal(context, at.p), place(at.previous), place(at.next),
+        testRimSector(place(at.p), points.normal[at.p], place(at.previous), place(at.next),
                       at.previous == at.next, place(gap.from), place(gap.to));
     if (!sector.holdsGap) return true;
     if (sector.openAtFirst == sector.openAtLast) return false;
@@ -100,9 +93,9 @@ bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     if (third == list.end()) return insertThird(context, evidence, kNone, false);
     const ThirdPointSide place =
         paperRules(context).stayInside
-            ? placeThirdPoint(points.position[p], turnNormal(context, p), points.type[p],
+            ? placeThirdPoint(points.position[p], points.normal[p], points.type[p],
                               points.position[second], points.position[*third])
-            : printedThirdPointSide(points.position[p], turnNormal(context, p), points.type[p],
+            : printedThirdPointSide(points.position[p], points.normal[p], points.type[p],
                                     points.position[second]);
     evidence.cross = place.cross;
     return insertThird(context, evidence, *third, place.before);
@@ -127,7 +120,7 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
         const Vec3& from = before ? points.position[x] : points.position[across];
         const Vec3& to = before ? points.position[across] : points.position[x];
         return !paperRules(context).stayInside ||
-               sectorStaysInside(position, turnNormal(context, p), points.type[p], from, to);
+               sectorStaysInside(position, points.normal[p], points.type[p], from, to);
     };
     const auto list = points.neighbors[p];
     const auto third = std::find_if(list.begin(), list.end(), fits);

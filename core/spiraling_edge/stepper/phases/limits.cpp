@@ -57,18 +57,15 @@ bool hasBeyond(const StepContext& context) {
     return !n.fullTurn || (n.first != n.last && !context.params.readings.closeTwo);
 }
 
-/// Whether the ring is concave at start or end. Without `kEveryTest` angles grow counterclockwise.
-template <bool kEveryTest>
+/// Whether the ring is concave at start or end.
 ConcaveTest concaveAt(const StepContext& context, Side side) {
     const State& s = context.state;
     const bool atStart = side == Side::Start;
     const Index limit = atStart ? s.pivot.start : s.pivot.end;
     const Vec3& to = context.positionAt(beyond(s, side));
     const Vec3& p = s.pivot.frame.origin;
-    ConcaveTest test = testConcave(context.positionAt(limit), context.normalAt(limit),
-                                   atStart ? to : p, atStart ? p : to);
-    if (kEveryTest && context.clockwise()) test.turn = -test.turn;
-    return test;
+    return testConcave(context.positionAt(limit), context.normalAt(limit), atStart ? to : p,
+                       atStart ? p : to);
 }
 
 /// The result of a test of the point beyond start or end.
@@ -90,7 +87,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     if (to == (atStart ? n.end : n.start) || to == n.pivot) return {Verdict::OtherLimit, to};
     if (context.openStep(atStart ? to : limit)) return {Verdict::NotAnEdge, to};
     const Vec3& position = context.positionAt(to);
-    const ConcaveTest concave = concaveAt<kEveryTest>(context, side);
+    const ConcaveTest concave = concaveAt(context, side);
     // Without a log the paper's rules have their defaults (paperRules()).
     const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
     // The cheap test that fails most often comes first, unless the log needs the others.
@@ -296,7 +293,7 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
         const Index after = rings.next(e);
         const bool free = context.params.readings.freeSector;
         const ReciprocalTest test = testReciprocal(
-            context.points.position[candidate.point], turnNormal(context, candidate.point),
+            context.points.position[candidate.point], context.points.normal[candidate.point],
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
             rings.point(before) == rings.point(after), s.pivot.frame.origin,
             context.params.sameAngle, context.params.robust.tangent);

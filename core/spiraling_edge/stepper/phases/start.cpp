@@ -103,13 +103,11 @@ struct Sector {
     Angle last;
 };
 
-/// The sector under the turn that is set (PaperRules::turn).
 Sector sectorAt(const StepContext& context, Index entry) {
     const Index first = context.state.rings.prev(entry);
     const Index last = context.state.rings.next(entry);
-    Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                            context.positionAt(first), context.params.robust.tangent);
-    if (context.clockwise()) frame.n = -frame.n;
+    const Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                                  context.positionAt(first), context.params.robust.tangent);
     const bool fullTurn = context.state.rings.point(first) == context.state.rings.point(last);
     return {frame, fullTurn,
             fullTurn ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};

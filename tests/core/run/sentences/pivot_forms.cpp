@@ -124,13 +124,13 @@ void insertAtWall(C& c, bool isBySide) {
            "out of the box on the other side");
 }
 void rimPoints(C& c) {
-    const RimGap gap = c.w.points.gapAt(c.point(0));
+    const RimGap gap = c.w.gapAt(c.point(0));
     c.need(isRimPoint(c.w.points.type[c.point(0)]), "rim point");
     for (const Index x : {gap.from, gap.to})
         c.need(x == kNone || !isUnused(c, x), "no next point of the rim");
 }
 void onRim(C& c, std::size_t i) {
-    const RimGap gap = c.w.points.gapAt(c.w.p);
+    const RimGap gap = c.w.gapAt(c.w.p);
     c.need(c.point(i) == gap.from || c.point(i) == gap.to, "next on the rim");
 }
 void isOver(C& c, std::size_t i) {

@@ -44,7 +44,13 @@ class Witness {
     std::vector<Index> released;  ///< Points taken off the ring in this phase.
 
     V place(Index x) const { return V(points.position[x]); }
-    V normal(Index x) const { return V(points.normal[x]); }
+    /// Clockwise: angles grow counterclockwise about the opposite of the normal.
+    bool isTurned() const { return params.paper.turn == TurnRule::Clockwise; }
+    V normal(Index x) const { return isTurned() ? -V(points.normal[x]) : V(points.normal[x]); }
+    RimGap gapAt(Index x) const {
+        const RimGap gap = points.gapAt(x);
+        return isTurned() ? RimGap{gap.to, gap.from} : gap;
+    }
     V offset(Index x) const { return place(x) - place(p); }
     Index pointOf(Index entry) const { return state.rings.point(entry); }
     Corners corners(const Triangle& t) const { return {place(t.a), place(t.b), place(t.c)}; }
