@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Random questions to `why`, each answer's inversion run again: why_table.py PROGRAM COUNT FILE...
+"""Random questions to `why`, each answer's inversion run again: why_table.py PROGRAM COUNT FILE... [SEED]
 
-For each FILE and for the rules paper, corrected and robust, COUNT questions of each kind are drawn by chance:
+For each FILE and for the rules paper, corrected and robust, COUNT questions of each kind are drawn by chance (SEED: 1):
 unused points, missing edges (of near points that share no triangle), missing triangles, wrong triangles (at a fault),
 triangles of the mesh, and faults (holes first). A proved answer names a what-if; the run is repeated with it by
 `run --what-if`, and its mesh must hold the subject where the first did not, and the other way around; a fault must be
@@ -101,16 +101,18 @@ def why(program, file, rules, *subject):
 
 def what_ifs(answer):
     """The options of the run that proves an answer."""
-    return [word for line in answer["what_if"] for word in ("--what-if", line)]
+    without = ["--rule", answer["without"]] if "without" in answer else []
+    return [word for line in answer["what_if"] for word in ("--what-if", line)] + without
 
 
 def main():
     program, count, *files = sys.argv[1:]
+    seed = int(files.pop()) if files[-1].isdigit() else 1
     tally, false = {}, 0
     for file in files:
         for rules in RULES:
             points, faces, report = mesh_of(program, file, ["--rules", rules])
-            for kind, subject in questions(points, faces, report, int(count), random.Random(1)):
+            for kind, subject in questions(points, faces, report, int(count), random.Random(seed)):
                 option = {1: "--point", 2: "--edge", 3: "--triangle"}[len(subject)]
                 answer = why(program, file, rules, option, ",".join(map(str, subject)))
                 if answer is None or not add(tally, (rules, kind), answer):
@@ -120,7 +122,7 @@ def main():
                     print(f"FALSE: {file} {rules} {option} {subject}: {answer['what_if']}", file=sys.stderr)
                     false += 1
             faults = [f for f in failures(program, file, ["--rules", rules]) if f[1] not in NOT_ASKED]
-            random.Random(1).shuffle(faults)
+            random.Random(seed).shuffle(faults)
             for name, kind, members in sorted(faults, key=lambda fault: fault[1] != "holes")[: int(count)]:
                 answer = why(program, file, rules, "--failure", name)
                 if answer is None or not add(tally, (rules, "fault"), answer):

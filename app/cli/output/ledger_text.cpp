@@ -77,6 +77,11 @@ Answer answerOf(const Ledger& ledger) {
             answer.text += fmt::format(" --what-if \"{}\"", lineOf(each));
             answer.json["what_if"].push_back(lineOf(each));
         }
+        if (ledger.undoneBy != nullptr) {
+            const std::string off = lineOf(RuleValue{std::string(ledger.undoneBy->name), 0.0});
+            answer.text += fmt::format(" --rule {}", off);
+            answer.json["without"] = off;
+        }
         answer.text += "\n";
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);

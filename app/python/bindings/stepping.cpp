@@ -177,12 +177,14 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
     std::vector<std::string> inversions;
     inversions.reserve(ledger.inversions.size());
     for (const WhatIf& each : ledger.inversions) inversions.push_back(lineOf(each));
-    std::optional<std::string> rule;
-    if (ledger.preventedBy != nullptr)
-        rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
+    const auto ruleLine = [](const RuleSetting* rule, double value) {
+        return rule == nullptr ? std::optional<std::string>()
+                               : lineOf(RuleValue{std::string(rule->name), value});
+    };
     return record("Answer", ledger.name, ledger.present, ledger.answer,
                   toString(ledger.lines[ledger.cause].event.address),
-                  textOf(provedByName(ledger.provedBy)), inversions, rule, lineList(ledger.lines));
+                  textOf(provedByName(ledger.provedBy)), inversions, ruleLine(ledger.undoneBy, 0.0),
+                  ruleLine(ledger.preventedBy, 1.0), lineList(ledger.lines));
 }
 
 /// Names in the order of Phase: those of their stages where they have one.

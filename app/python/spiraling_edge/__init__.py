@@ -175,14 +175,15 @@ class Found:
 @dataclass(frozen=True)
 class Answer:
     """Why a subject is in the mesh or not. cause: address of the deciding line; proved_by: "inversion", "step",
-    "preparation" or "nothing"; what_if: the lines under which the answer is another; rule: "unblocked=on", with which an
-    absent subject is there; None where there is none."""
+    "preparation" or "nothing"; what_if: the lines under which the answer is another; without: "flip=off", the rule that
+    has to be off then as well; rule: "unblocked=on", with which an absent subject is there; None where there is none."""
     subject: str
     present: bool
     sentence: str
     cause: str
     proved_by: str
     what_if: List[str]
+    without: Optional[str]
     rule: Optional[str]
     lines: List[Line] = field(repr=False)
 

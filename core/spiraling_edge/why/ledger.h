@@ -68,6 +68,8 @@ struct Ledger {
     ProvedBy provedBy = ProvedBy::Nothing;
     /// The what-ifs under which the answer is another: that of the cause, or two of one pivot.
     std::vector<WhatIf> inversions = {};
+    /// The rule that is off as well then, since its steps after the last pivot undo them; or null.
+    const RuleSetting* undoneBy = nullptr;
     /// The rule that prevents a failure, or brings an absent point in, when it is on
     /// (prevention.h); null: none was found, or none was looked for.
     const RuleSetting* preventedBy = nullptr;

@@ -112,6 +112,9 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     aim.effect = [&](const State& state) {
         return isInMesh(state.mesh(), subject) == ledger.present ? Effect::None : Effect::Changed;
     };
+    aim.changedByPivots = [&](const State& end) {
+        return isInMesh(end.triangles, subject) != ledger.present;
+    };
     aim.findsRule = !ledger.present;
     const Status done = conclude(points, params, aim, std::move(all), length, limits, ledger,
                                  partOf(progress, 2.0 * kLedgerShare, 1.0));

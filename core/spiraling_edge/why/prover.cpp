@@ -104,6 +104,7 @@ class Prover {
         if (proof.effect == Effect::None && proof.complete && aim_.showsAtOnce) {
             if (!findPairs(proof.left) || !runToEnds(limits, proof)) return Error{"Cancelled."};
         }
+        if (proof.effect == Effect::None && !runUndone(limits, proof)) return Error{"Cancelled."};
         if (wasCut) proof.complete = false;
         return proof;
     }
@@ -113,6 +114,7 @@ class Prover {
         Params forked = params_;
         forked.whatIf.push_back(inverted.inverse);
         if (inverted.second) forked.whatIf.push_back(inverted.second->inverse);
+        if (inverted.undoneBy != nullptr) inverted.undoneBy->turnOff(forked);
         return forked;
     }
     void sortByPivot() {
@@ -158,6 +160,22 @@ class Prover {
             if (rank(a) != rank(b)) return rank(a) < rank(b);
             return a.line > b.line;
         });
+    }
+
+    /// Runs the inversions that steps after the last pivot undo, each with one of the rules of such
+    /// steps off. False if cancelled.
+    bool runUndone(const ProofLimits& limits, Proof& proof) {
+        std::vector<Invertible> undone;
+        for (const Invertible& each : undone_) {
+            for (const StageRow& stage : stageTable()) {
+                const RuleSetting* rule = isRepair(stage.id) ? findRuleSetting(stage.name) : nullptr;
+                if (rule == nullptr || !rule->isOn(params_)) continue;
+                undone.push_back(each);
+                undone.back().undoneBy = rule;
+            }
+        }
+        all_ = std::move(undone);
+        return runToEnds(limits, proof);
     }
 
     /// Looks for two inversions of one pivot that show there only together: the second one is of a
@@ -209,7 +227,8 @@ class Prover {
         for (const Invertible& each : all_) {
             share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
                                       static_cast<double>(limits.inversions);
-            if (proof.tried == limits.inversions || proof.left == 0) {
+            const bool isUndone = each.undoneBy != nullptr;
+            if ((proof.tried == limits.inversions && !isUndone) || proof.left == 0) {
                 proof.complete = false;
                 break;
             }
@@ -221,8 +240,11 @@ class Prover {
                 proof.complete = false;
                 break;
             }
-            ++proof.tried;
+            if (!isUndone) ++proof.tried;
             if (each.second) ++proof.pairs;
+            if (*effect == Effect::None && !isUndone && undone_.size() < kMostUndone &&
+                aim_.changedByPivots && aim_.changedByPivots(fork.state()))
+                undone_.push_back(each);
             if (*effect <= proof.effect) continue;
             proof.found = each;
             proof.effect = *effect;
@@ -233,6 +255,7 @@ class Prover {
 
     /// A fork copies the state: points that take as long as a step.
     static constexpr std::uint64_t kPointsPerStep = 64;
+    static constexpr std::size_t kMostUndone = 3;
 
     const PointSet& points_;
     const Params& params_;
@@ -240,7 +263,8 @@ class Prover {
     const ProofAim& aim_;
     const GoesOn goesOn_;
     std::vector<Invertible> all_;
-    double share_ = 0.0;  ///< Of the work, for the progress.
+    std::vector<Invertible> undone_;  ///< Pivots change the answer then, and the end does not.
+    double share_ = 0.0;              ///< Of the work, for the progress.
 };
 
 /// What the inversion does: the words after the name.
@@ -250,8 +274,13 @@ std::string wordsOf(const Ledger& ledger, const Proof& proof) {
     if (proof.found->listed != kNone)
         return ", and would be if " + std::to_string(proof.found->inverse.point) + " listed " +
                std::to_string(proof.found->listed) + ": ";
+    const RuleSetting* const rule = proof.found->undoneBy;
     return std::string(", and would ") + (ledger.present ? "not be" : "be") + " with " +
-           (proof.found->second ? "two decisions" : "this decision") + " inverted: ";
+           (proof.found->second ? "two decisions" : "this decision") + " inverted" +
+           (rule == nullptr ? ""
+                            : " and without the rule " + std::string(rule->name) +
+                                  ", which undoes that after the last pivot") +
+           ": ";
 }
 
 /// The end of an answer that is not proved.
@@ -274,6 +303,7 @@ void settle(Ledger& ledger, const Proof& proof) {
         ledger.cause = line;
         ledger.provedBy = ProvedBy::Inversion;
         ledger.inversions = {proof.found->inverse};
+        ledger.undoneBy = proof.found->undoneBy;
         between = wordsOf(ledger, proof);
     } else if (ledger.provedBy == ProvedBy::Step) {
         between = std::string(", since a step after the last pivot ") +

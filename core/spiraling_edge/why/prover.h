@@ -34,6 +34,8 @@ struct Invertible {
     bool showsAtOnce = false;
     /// A second decision that is inverted with it.
     std::optional<FollowingDecision> second = {};
+    /// A rule that is off as well: its steps after the last pivot undo the inversion.
+    const RuleSetting* undoneBy = nullptr;
 };
 
 /// The number of decisions of an answer that may be inverted.
@@ -55,6 +57,8 @@ enum class Effect : std::uint8_t {
 struct ProofAim {
     /// True for triangles made by one pivot that alone change the answer; may be empty.
     std::function<bool(std::span<const Triangle> made)> showsAtOnce = {};
+    /// True if the triangles of the pivots of this run change the answer; may be empty.
+    std::function<bool(const State& end)> changedByPivots = {};
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
     std::function<Effect(const State& end)> effect;
@@ -104,7 +108,8 @@ struct RunLength {
 
 /// Runs the inversions of `all` to their ends: those that show at once first, then that of the
 /// cause, of a present subject those of the pivot of the cause, then the later ones; up to the
-/// first that changes the answer. Where none does, the first that replaces a failure is taken. An
+/// first that changes the answer. Where none does, the first that replaces a failure is taken. One
+/// that steps after the last pivot undo may change it while the rule of these steps is off. An
 /// absent subject may come in by two inversions of one pivot, which are tried last. Fails if
 /// cancelled.
 Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,

@@ -69,6 +69,10 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
             dimText("Inverted: " + lineOf(each));
             inverted = withWhatIf(inverted, each);
         }
+        if (const RuleSetting* rule = ledger.undoneBy) {
+            dimText("Switched off: " + std::string(rule->name));
+            inverted = withRule(inverted, rule->name, 0.0);
+        }
         ImGui::SameLine();
         if (smallButton(context, "Invert", "ledger invert",
                         "Run again with what is said here inverted, as a what-if"))
