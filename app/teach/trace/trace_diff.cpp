@@ -33,8 +33,7 @@ TraceReason reasonFor(const std::vector<Event>& events, Stage last, const PointS
                       Index pivot, Index point, bool inTrace) {
     const Event* event = decisionAbout(events, point, last);
     if (event != nullptr) return {point, inTrace, decisionText(*event), event->address};
-    const auto list = points.neighbors[pivot];
-    const bool isListed = std::find(list.begin(), list.end(), point) != list.end();
+    const bool isListed = points.neighbors.has(pivot, point);
     return {point,
             inTrace,
             isListed ? "made no decision about it" : "has it not in the list of the pivot",

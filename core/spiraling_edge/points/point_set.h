@@ -65,6 +65,11 @@ struct NeighborLists {
     std::span<const Index> operator[](Index p) const {
         return {ids.data() + offset[p], ids.data() + offset[p + 1]};
     }
+    /// True if the list of p has q. O(list).
+    bool has(Index p, Index q) const {
+        const auto list = (*this)[p];
+        return std::find(list.begin(), list.end(), q) != list.end();
+    }
     /// Appends the list of the next point.
     void append(std::span<const Index> list) {
         ids.insert(ids.end(), list.begin(), list.end());

@@ -314,12 +314,4 @@ Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Para
     return std::move(found.value().failures);
 }
 
-std::size_t firstCreated(std::span<const RunFailure> failures) {
-    const auto first = std::min_element(
-        failures.begin(), failures.end(), [](const RunFailure& a, const RunFailure& b) {
-            return isBefore(a.moments.created.event.address, b.moments.created.event.address);
-        });
-    return static_cast<std::size_t>(first - failures.begin());
-}
-
 }  // namespace se

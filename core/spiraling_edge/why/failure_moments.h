@@ -95,7 +95,5 @@ RunFailureSearch failuresAtEnd(const PointSet& points, const RunCounts& counts,
 /// The failures that searchFailures() finds.
 Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
                                               const Progress& progress = {});
-/// Position of the failure that was created first in the run; failures.size() if there is none.
-std::size_t firstCreated(std::span<const RunFailure> failures);
 
 }  // namespace se

@@ -29,6 +29,9 @@ std::optional<FreedRing> FreedRings::add(const Event& event) {
     return {};
 }
 
+namespace {
+
+/// The failure of a freed ring, or of the place where the run was stopped.
 MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
     MeshFailure failure;
     const bool stopped = ring.alert.kind == AlertKind::TriangleCap;
@@ -38,6 +41,8 @@ MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
     failure.place /= static_cast<double>(failure.points.size());
     return failure;
 }
+
+}  // namespace
 
 void LeftOverRings::add(const PointSet& points, std::span<const Event> events) {
     for (const Event& event : events) {

@@ -28,9 +28,6 @@ class FreedRings {
     std::optional<Event> freed_;
 };
 
-/// The failure of a freed ring, or of the place where the run was stopped.
-MeshFailure failureOf(const PointSet& points, const FreedRing& ring);
-
 /// Position of a class in failureClasses().
 inline std::size_t rankOf(const FailureClass& kind) {
     return static_cast<std::size_t>(&kind - failureClasses().data());

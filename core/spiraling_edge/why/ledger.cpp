@@ -17,6 +17,7 @@
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
+#include "spiraling_edge/why/origin_decisions.h"
 
 namespace se {
 
@@ -133,10 +134,6 @@ class CauseFinder {
         return subject.size() == 1 ? untestedPoint(subject[0]) : untestedEdge(subject);
     }
 
-    bool lists(Index a, Index b) const {
-        const auto list = points_.neighbors[a];
-        return std::find(list.begin(), list.end(), b) != list.end();
-    }
     bool wasPivot(Index p) const {
         return last([&](const LedgerLine& line) {
                    const auto* pivot = as<PivotEvidence>(line.event);
@@ -156,7 +153,7 @@ class CauseFinder {
             return {lastAbout(subject_), asideText(points_, p), ProvedBy::Preparation};
         std::size_t listing = 0;
         for (std::size_t q = 0; q < points_.size(); ++q) {
-            if (lists(static_cast<Index>(q), p)) ++listing;
+            if (points_.neighbors.has(static_cast<Index>(q), p)) ++listing;
         }
         const std::string words =
             listing == 0
@@ -201,8 +198,8 @@ class CauseFinder {
         }
         const std::string a = std::to_string(edge[0]);
         const std::string b = std::to_string(edge[1]);
-        const bool ab = lists(edge[0], edge[1]);
-        const bool ba = lists(edge[1], edge[0]);
+        const bool ab = points_.neighbors.has(edge[0], edge[1]);
+        const bool ba = points_.neighbors.has(edge[1], edge[0]);
         if (!ab && !ba) {
             return {line, "Neither of " + a + " and " + b +
                               " lists the other among its neighbors, so no pivot ever tested them "
@@ -409,13 +406,10 @@ class LedgerBuilder {
     };
     /// Adds the first move of start or end past a candidate that it left outside (§6.1, Fig. 4).
     void addMoveOver(const Event& event) {
-        const auto* drop = as<DropEvidence>(event);
-        if (drop == nullptr || drop->verdict != Verdict::Outside) return;
+        const DropEvidence* drop = passedBy(event);
+        if (drop == nullptr) return;
         const auto found = std::find_if(moves_.begin(), moves_.end(), [&](const Move& each) {
-            const auto& move = std::get<LimitEvidence>(each.line.event.evidence);
-            if (move.side != drop->side) return false;
-            return move.side == Side::Start ? move.toDegrees >= drop->degrees
-                                            : move.toDegrees <= drop->degrees;
+            return passes(each.line.event, *drop);
         });
         if (found == moves_.end() || found->isAdded) return;
         found->isAdded = true;

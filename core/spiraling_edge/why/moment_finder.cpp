@@ -30,12 +30,6 @@ bool isFullTurn(const Event& event) {
     return two != nullptr && two->degrees > 359.9;
 }
 
-/// A candidate that start or end was moved over (Fig. 4).
-const DropEvidence* passedBy(const Event& event) {
-    const auto* drop = as<DropEvidence>(event);
-    return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
-}
-
 SharedLine sharedOf(const std::optional<LedgerLine>& line) {
     return line ? std::make_shared<const LedgerLine>(*line) : nullptr;
 }
@@ -128,13 +122,9 @@ void MomentFinder::addForPoint(const SharedLine& shared) {
 
 /// The first move of start or end past the candidate; null if there is none.
 SharedLine MomentFinder::moveOver(const DropEvidence& drop) const {
-    const auto passes = [&](const LedgerLine& line) {
-        const auto& move = std::get<LimitEvidence>(line.event.evidence);
-        if (move.side != drop.side) return false;
-        return move.side == Side::Start ? move.toDegrees >= drop.degrees
-                                        : move.toDegrees <= drop.degrees;
-    };
-    const auto found = std::find_if(input_.moves.begin(), input_.moves.end(), passes);
+    const auto found =
+        std::find_if(input_.moves.begin(), input_.moves.end(),
+                     [&](const LedgerLine& move) { return passes(move.event, drop); });
     return found == input_.moves.end() ? nullptr : std::make_shared<const LedgerLine>(*found);
 }
 

@@ -103,6 +103,18 @@ bool fillsHole(const Event& event) {
     return two != nullptr && isTaken(two->verdict);
 }
 
+const DropEvidence* passedBy(const Event& event) {
+    const auto* drop = as<DropEvidence>(event);
+    return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
+}
+
+bool passes(const Event& move, const DropEvidence& candidate) {
+    const auto& limit = std::get<LimitEvidence>(move.evidence);
+    if (limit.side != candidate.side) return false;
+    return limit.side == Side::Start ? limit.toDegrees >= candidate.degrees
+                                     : limit.toDegrees <= candidate.degrees;
+}
+
 const SphereEvidence* closedGap(const Event& event) {
     const auto* sphere = as<SphereEvidence>(event);
     return sphere != nullptr && !isTaken(sphere->verdict) ? sphere : nullptr;

@@ -16,6 +16,11 @@ bool hasCorner(const Triangle& t, Index p);
 /// True if only first and last are left and make a triangle (§6.4).
 bool fillsHole(const Event& event);
 
+/// A candidate that a move of start or end left outside (§6.1, Fig. 4); null for other events.
+const DropEvidence* passedBy(const Event& event);
+/// True if this move of start or end goes past the candidate. Requires a LimitEvidence.
+bool passes(const Event& move, const DropEvidence& candidate);
+
 /// The removal of a candidate between two others, which then are neighbors in the fan; null for
 /// other events.
 const SphereEvidence* closedGap(const Event& event);

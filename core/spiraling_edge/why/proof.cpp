@@ -13,11 +13,6 @@
 namespace se {
 namespace {
 
-bool lists(const PointSet& points, Index p, Index q) {
-    const auto list = points.neighbors[p];
-    return std::find(list.begin(), list.end(), q) != list.end();
-}
-
 /// True if the way from `at` to p leads into the triangle, between its two other points.
 bool isInSector(const PointSet& points, const Triangle& t, Index at, Index p) {
     const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
@@ -66,7 +61,8 @@ void addLists(const PointSet& points, const Subject& s, std::size_t cause,
         const auto distance = [&, p = p](Index x) {
             return glm::distance(points.position[p], points.position[x]);
         };
-        if (list.empty() || lists(points, p, q) || distance(q) > kNear * distance(list.back()))
+        if (list.empty() || points.neighbors.has(p, q) ||
+            distance(q) > kNear * distance(list.back()))
             continue;
         WhatIf longer{WhatIfKind::List, 1, Stage::Pivot, p, Vec3(0.0), {}};
         longer.list.assign(list.begin(), list.end());

@@ -42,6 +42,13 @@ std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decisi
                   Vec3(0.0), {}};
 }
 
+namespace {
+
+/// The number of decisions of an answer that may be inverted.
+constexpr std::size_t kMostInvertible = 200;
+
+}  // namespace
+
 std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger) {
     std::vector<Invertible> all;
     const LineRole direct = ledger.present ? LineRole::Taken : LineRole::Refused;
@@ -76,6 +83,16 @@ void addMaking(const Ledger& made, Ledger& ledger) {
         ledger.lines.push_back(line);
     }
 }
+
+/// The result of a search for a proof.
+struct Proof {
+    std::optional<Invertible> found = {};
+    Effect effect = Effect::None;  ///< Of `found`.
+    std::size_t tried = 0;         ///< Inversions that were run, this one among them.
+    std::size_t pairs = 0;         ///< Those of two decisions.
+    bool complete = true;          ///< Not one was left out for the limits.
+    std::uint64_t left = 0;        ///< Steps of the limits that were not made.
+};
 
 /// The steps that inversions of a run of `steps` may take.
 std::uint64_t stepsOf(const ProofLimits& limits, std::uint64_t steps) {
@@ -168,7 +185,8 @@ class Prover {
         std::vector<Invertible> undone;
         for (const Invertible& each : undone_) {
             for (const StageRow& stage : stageTable()) {
-                const RuleSetting* rule = isRepair(stage.id) ? findRuleSetting(stage.name) : nullptr;
+                const RuleSetting* rule =
+                    isRepair(stage.id) ? findRuleSetting(stage.name) : nullptr;
                 if (rule == nullptr || !rule->isOn(params_)) continue;
                 undone.push_back(each);
                 undone.back().undoneBy = rule;
@@ -356,12 +374,6 @@ std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const P
     return fork.state().finished() ? aim.effect(fork.state()) : Effect::None;
 }
 
-Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
-                    const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
-                    const ProofLimits& limits, const Progress& progress) {
-    return Prover(points, params, ledger, aim, std::move(all), progress).run(steps, limits);
-}
-
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
                 std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
                 Ledger& ledger, const Progress& progress) {
@@ -370,8 +382,9 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
         settle(ledger, {});
         return success();
     }
-    const Result<Proof> proof = prove(points, params, ledger, aim, std::move(all), length.steps,
-                                      limits, partOf(progress, 0.0, kProofShare));
+    const Result<Proof> proof =
+        Prover(points, params, ledger, aim, std::move(all), partOf(progress, 0.0, kProofShare))
+            .run(length.steps, limits);
     if (!proof) return proof.error();
     settle(ledger, proof.value());
     if (!aim.findsRule) return success();

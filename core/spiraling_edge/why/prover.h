@@ -38,12 +38,9 @@ struct Invertible {
     const RuleSetting* undoneBy = nullptr;
 };
 
-/// The number of decisions of an answer that may be inverted.
-inline constexpr std::size_t kMostInvertible = 200;
-
 /// The decisions of a ledger that can be inverted: the cause, those that took a subject that is
 /// present or refused one that is absent, and the indirect ones; the latest first,
-/// kMostInvertible at most.
+/// 200 at most.
 std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger);
 
 /// The effect of an inversion on an answer.
@@ -64,16 +61,6 @@ struct ProofAim {
     std::function<Effect(const State& end)> effect;
     /// A rule that changes the answer is looked for as well.
     bool findsRule = true;
-};
-
-/// The result of a search for a proof.
-struct Proof {
-    std::optional<Invertible> found = {};
-    Effect effect = Effect::None;  ///< Of `found`.
-    std::size_t tried = 0;         ///< Inversions that were run, this one among them.
-    std::size_t pairs = 0;         ///< Those of two decisions.
-    bool complete = true;          ///< Not one was left out for the limits.
-    std::uint64_t left = 0;        ///< Steps of the limits that were not made.
 };
 
 /// False where a search is to end.
@@ -106,18 +93,13 @@ struct RunLength {
     }
 };
 
-/// Runs the inversions of `all` to their ends: those that show at once first, then that of the
-/// cause, of a present subject those of the pivot of the cause, then the later ones; up to the
-/// first that changes the answer. Where none does, the first that replaces a failure is taken. One
-/// that steps after the last pivot undo may change it while the rule of these steps is off. An
-/// absent subject may come in by two inversions of one pivot, which are tried last. Fails if
-/// cancelled.
-Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
-                    const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
-                    const ProofLimits& limits, const Progress& progress);
-
-/// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none:
-/// makes its cause that of the proof, and its answer the sentences about it, with
+/// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none.
+/// Their runs are made to the ends: those that show at once first, then that of the cause, of a
+/// present subject those of the pivot of the cause, then the later ones; up to the first that
+/// changes the answer. Where none does, the first that replaces a failure is taken. An absent
+/// subject may come in by two inversions of one pivot, which are tried then; at last, an inversion
+/// that steps after the last pivot undo may change it while the rule of these steps is off.
+/// Makes its cause that of the proof, and its answer the sentences about it, with
 /// the rule that changes it where ProofAim::findsRule (prevention.h). Requires Ledger::words of the
 /// cause so far. Fails if cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,

@@ -162,18 +162,6 @@ TEST_CASE("moments: as many rings are left over as the run has alerts of them") 
     }
 }
 
-TEST_CASE("moments: the first failure is the one that was created first") {
-    const PointSet points = prepared(findScene("four-edge-hole")->build());
-    const auto all = failuresOfRun(points, paper());
-    REQUIRE(all.ok());
-    const std::size_t first = firstCreated(all.value());
-    REQUIRE(first < all.value().size());
-    const std::uint32_t pivot = all.value()[first].moments.created.event.address.pivot;
-    for (const RunFailure& each : all.value())
-        CHECK(pivot <= each.moments.created.event.address.pivot);
-    CHECK(firstCreated({}) == 0);
-}
-
 TEST_CASE("moments: a point that no test ever saw was lost with the last of its neighbors") {
     // The plane of a sheet, and a point above it that lists points of it, but is listed by none.
     PointFile file = findScene("grid")->build();

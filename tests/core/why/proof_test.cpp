@@ -34,6 +34,7 @@ bool isProved(const PointSet& points, const Params& params, const Subject& subje
     CHECK(ledger.answer.find(" would ") != std::string::npos);
     Params inverted = params;
     for (const WhatIf& each : ledger.inversions) inverted.whatIf.push_back(each);
+    if (ledger.undoneBy != nullptr) ledger.undoneBy->turnOff(inverted);
     CHECK(hasSubject(runAll(points, params).state.mesh(), subject) == ledger.present);
     CHECK(hasSubject(runAll(points, inverted).state.mesh(), subject) != ledger.present);
     return true;
@@ -125,6 +126,31 @@ TEST_CASE("proof: an edge that no inversion brings in may come in by two of one 
             alone.whatIf.push_back(ledger.inversions.front());
             CHECK_FALSE(hasSubject(runAll(points, alone).state.mesh(), subject));
         }
+    }
+    CHECK(found > 0);
+}
+
+TEST_CASE("proof: an inversion that steps after the last pivot undo is run without their rule") {
+    const PointSet points = prepared(findScene("noise")->build());
+    const State end = runAll(points, robust()).state;
+    std::size_t found = 0;
+    for (Index p = 0; p < points.size() && found < 2; ++p) {
+        const Subject subject = Subject::edge(p, points.neighbors[p][1]);
+        if (hasSubject(end.mesh(), subject)) continue;
+        const Ledger ledger = proved(points, robust(), subject);
+        if (ledger.undoneBy == nullptr) continue;
+        ++found;
+        CHECK(isProved(points, robust(), subject));
+        CHECK(isRepair(*stageFromName(ledger.undoneBy->name)));
+        CHECK(ledger.answer.find("which undoes that after the last pivot") != std::string::npos);
+        Params alone = robust();
+        for (const WhatIf& each : ledger.inversions) alone.whatIf.push_back(each);
+        const State kept = runAll(points, alone).state;
+        CHECK(hasSubject(kept.triangles, subject));
+        CHECK_FALSE(hasSubject(kept.mesh(), subject));
+        Params off = robust();
+        ledger.undoneBy->turnOff(off);
+        MESSAGE("alone: ", hasSubject(runAll(points, off).state.mesh(), subject));
     }
     CHECK(found > 0);
 }

@@ -92,10 +92,8 @@ LimitTest testLimit(const StepContext& context, Side side) {
     const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
     // The cheap test that fails most often comes first, unless the log needs the others.
     if (!kEveryTest && !mayMove) return {Verdict::NotConcave, to};
-    const auto list = context.points.neighbors[s.rings.point(n.pivot)];
-    if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
+    if (!context.points.neighbors.has(s.rings.point(n.pivot), s.rings.point(to)))
         return {Verdict::NotListed, to};
-    }
     LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin), concave.turn};
     if (!strictlyBetween(test.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
         test.verdict = Verdict::Outside;

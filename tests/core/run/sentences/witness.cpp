@@ -170,10 +170,7 @@ Real Witness::angle(Index x) const {
     return angleAt(place(p), normal(p), place(first), place(x), params.robust.tangent);
 }
 
-bool Witness::lists(Index a, Index b) const {
-    const auto list = points.neighbors[a];
-    return std::find(list.begin(), list.end(), b) != list.end();
-}
+bool Witness::lists(Index a, Index b) const { return points.neighbors.has(a, b); }
 
 Index Witness::triangleWith(Index u, Index v) const {
     const std::vector<Triangle>& mesh = meshWas.empty() ? state.triangles : meshWas;
