@@ -107,7 +107,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
         return Error{"Cancelled."};
     LeftOverRings rings;
     const bool ofRun = failure.kind->find == nullptr;
-    const ProofAim aim{{}, ofRun ? &rings : nullptr, [&](const State& end) {
+    const ProofAim aim{.rings = ofRun ? &rings : nullptr, .effect = [&](const State& end) {
                            return effectAtEnd(points, failure, known, end, rings);
                        }};
     const Status done = conclude(points, params, aim, invertibleOf(points, ledger), length, limits,

@@ -71,6 +71,38 @@ void addLists(const PointSet& points, const Subject& s, std::size_t cause,
     }
 }
 
+/// The ledger of a subject, with the lines about triangles in the place of an absent one.
+struct AskedSubject {
+    Ledger ledger;
+    std::vector<Invertible> all;  ///< The decisions to invert.
+    RunLength length;
+};
+
+/// Two runs, or one where the ledger is proved. Fails if cancelled, or as why() does.
+Result<AskedSubject> askSubject(const PointSet& points, const Params& params,
+                                const Subject& subject, const Progress& progress) {
+    const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
+    if (!question) return question.error();
+    AskedSubject asked;
+    const auto visit = [&](const SweptPivot& pivot) {
+        asked.length.add(pivot);
+        question.value().visit(pivot);
+    };
+    const auto end = sweep(points, params, visit, partOf(progress, 0.0, 0.5));
+    if (!end) return Error{"Cancelled."};
+    Result<Ledger> ledger = question.value().answer(*end);
+    if (!ledger) return ledger.error();
+    asked.ledger = std::move(ledger.value());
+    const bool isOpen = !asked.ledger.present && asked.ledger.provedBy == ProvedBy::Nothing;
+    std::vector<Triangle> rivals;
+    if (isOpen) rivals = rivalsOf(*turnedPoints(points, params), subject, end->triangles);
+    if (!addMakings(points, params, rivals, {}, asked.ledger, partOf(progress, 0.5, 1.0)))
+        return Error{"Cancelled."};
+    asked.all = invertibleOf(points, asked.ledger);
+    if (!asked.ledger.present) addLists(points, subject, asked.ledger.cause, asked.all);
+    return asked;
+}
+
 }  // namespace
 
 std::string_view provedByName(ProvedBy by) {
@@ -80,42 +112,39 @@ std::string_view provedByName(ProvedBy by) {
 
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
                          const ProofLimits& limits, const Progress& progress) {
-    constexpr double kLedgerShare = 0.3;
-    const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
-    if (!question) return question.error();
-    RunLength length;
-    const auto visit = [&](const SweptPivot& pivot) {
-        length.add(pivot);
-        question.value().visit(pivot);
-    };
-    const auto end = sweep(points, params, visit, partOf(progress, 0.0, kLedgerShare));
-    if (!end) return Error{"Cancelled."};
-    Result<Ledger> asked = question.value().answer(*end);
-    if (!asked) return asked;
-    Ledger& ledger = asked.value();
-    std::vector<Triangle> rivals;
-    if (!ledger.present && ledger.provedBy == ProvedBy::Nothing)
-        rivals = rivalsOf(*turnedPoints(points, params), subject, end->triangles);
-    if (!addMakings(points, params, rivals, {}, ledger,
-                    partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
-        return Error{"Cancelled."};
+    constexpr double kLedgerShare = 0.6;
+    Result<AskedSubject> asked =
+        askSubject(points, params, subject, partOf(progress, 0.0, kLedgerShare));
+    if (!asked) return asked.error();
+    Ledger& ledger = asked.value().ledger;
+    const bool present = ledger.present;
     ProofAim aim;
-    std::vector<Invertible> all = invertibleOf(points, ledger);
-    if (!ledger.present) {
-        addLists(points, subject, ledger.cause, all);
+    if (!present)
         aim.showsAtOnce = [&](std::span<const Triangle> made) { return isInMesh(made, subject); };
-    }
-    aim.effect = [&](const State& state) {
-        return isInMesh(state.mesh(), subject) == ledger.present ? Effect::None : Effect::Changed;
-    };
     aim.changedByPivots = [&](const State& end) {
-        return isInMesh(end.triangles, subject) != ledger.present;
+        return isInMesh(end.triangles, subject) != present;
     };
-    aim.findsRule = !ledger.present;
-    const Status done = conclude(points, params, aim, std::move(all), length, limits, ledger,
-                                 partOf(progress, 2.0 * kLedgerShare, 1.0));
+    aim.following = [&](const Params& forked, std::uint64_t& left) {
+        const auto goesOn = [&](double /*share*/) { return !progress || progress(kLedgerShare); };
+        const Result<AskedSubject> next = askSubject(points, forked, subject, goesOn);
+        std::vector<FollowingDecision> found;
+        if (!next || next.value().ledger.provedBy != ProvedBy::Nothing) return found;
+        left -= std::min(left, 2 * next.value().length.steps);
+        for (const Invertible& each : next.value().all) {
+            if (each.inverse.kind != WhatIfKind::List)
+                found.push_back({next.value().ledger.lines[each.line].event, each.inverse});
+        }
+        return found;
+    };
+    aim.effect = [&](const State& state) {
+        return isInMesh(state.mesh(), subject) == present ? Effect::None : Effect::Changed;
+    };
+    aim.findsRule = !present;
+    const Status done =
+        conclude(points, params, aim, std::move(asked.value().all), asked.value().length, limits,
+                 ledger, partOf(progress, kLedgerShare, 1.0));
     if (!done.ok()) return done.error();
-    return asked;
+    return std::move(ledger);
 }
 
 }  // namespace se

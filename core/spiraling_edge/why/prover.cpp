@@ -114,12 +114,19 @@ class Prover {
     Result<Proof> run(std::uint64_t steps, const ProofLimits& limits) {
         if (all_.empty()) return Proof{.left = stepsOf(limits, steps)};
         const bool wasCut = all_.size() >= kMostInvertible;
-        if (!lookAtPivots()) return Error{"Cancelled."};
+        std::uint64_t looking = ~std::uint64_t{0};
+        if (!lookAtPivots(params_, looking, all_)) return Error{"Cancelled."};
         sortByPromise();
         Proof proof{.left = stepsOf(limits, steps)};
         if (!runToEnds(limits, proof)) return Error{"Cancelled."};
-        if (proof.effect == Effect::None && proof.complete && aim_.showsAtOnce) {
+        const std::vector<Invertible> singles = all_;
+        const auto isOpen = [&] { return proof.effect == Effect::None && proof.complete; };
+        if (isOpen() && aim_.showsAtOnce) {
             if (!findPairs(proof.left) || !runToEnds(limits, proof)) return Error{"Cancelled."};
+        }
+        for (std::size_t i = 0; i < singles.size() && i < kMostFirst && isOpen(); ++i) {
+            if (aim_.following && !runLaterPairs(singles[i], limits, proof))
+                return Error{"Cancelled."};
         }
         if (proof.effect == Effect::None && !runUndone(limits, proof)) return Error{"Cancelled."};
         if (wasCut) proof.complete = false;
@@ -134,9 +141,13 @@ class Prover {
         if (inverted.undoneBy != nullptr) inverted.undoneBy->turnOff(forked);
         return forked;
     }
-    void sortByPivot() {
-        std::stable_sort(all_.begin(), all_.end(), [](const Invertible& a, const Invertible& b) {
-            return a.inverse.pivot < b.inverse.pivot;
+    /// The pivot of the last decision that is inverted.
+    static std::uint32_t pivotOf(const Invertible& each) {
+        return each.second ? each.second->inverse.pivot : each.inverse.pivot;
+    }
+    static void sortByPivot(std::vector<Invertible>& list) {
+        std::stable_sort(list.begin(), list.end(), [](const Invertible& a, const Invertible& b) {
+            return pivotOf(a) < pivotOf(b);
         });
     }
     /// True if the pivot after this state, run with `forked`, changes the answer.
@@ -147,22 +158,41 @@ class Prover {
         return aim_.showsAtOnce(std::span(fork.state().triangles).subspan(before.triangles.size()));
     }
 
-    /// Leaves out inversions that are refused, and marks those that show at their pivot. False if
-    /// cancelled.
-    bool lookAtPivots() {
-        sortByPivot();
-        Stepper stepper(points_, params_);
-        std::uint64_t left = ~std::uint64_t{0};
+    /// Leaves out inversions that are refused, and marks those that show at their pivot, the last
+    /// one of each in a run with `params`. Takes `left` steps at most. False if cancelled.
+    bool lookAtPivots(const Params& params, std::uint64_t& left, std::vector<Invertible>& list) {
+        sortByPivot(list);
+        Stepper stepper(points_, params);
         std::vector<Invertible> possible;
-        for (Invertible& each : all_) {
-            if (!advanceTo(stepper, each.inverse.pivot, left, goesOn_) || !goesOn_()) return false;
+        for (Invertible& each : list) {
+            if (!advanceTo(stepper, pivotOf(each), left, goesOn_) || !goesOn_()) return false;
             const Params forked = with(each);
-            if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
+            if (!hasReached(stepper, pivotOf(each)) ||
+                !checkLastWhatIf(points_, forked, stepper.state()))
+                continue;
             each.showsAtOnce = aim_.showsAtOnce && showsAtOnce(forked, stepper.state());
             possible.push_back(each);
         }
-        all_ = std::move(possible);
+        list = std::move(possible);
         return true;
+    }
+
+    /// Runs the pairs of an inversion and one of a later decision in the run with it; of an absent
+    /// subject, those that show at once. False if cancelled.
+    bool runLaterPairs(const Invertible& first, const ProofLimits& limits, Proof& proof) {
+        const Params forked = with(first);
+        std::vector<Invertible> pairs;
+        for (const FollowingDecision& second : aim_.following(forked, proof.left)) {
+            if (second.inverse.pivot < first.inverse.pivot || second.inverse == first.inverse)
+                continue;
+            pairs.push_back(first);
+            pairs.back().second = second;
+        }
+        if (!lookAtPivots(forked, proof.left, pairs)) return false;
+        if (aim_.showsAtOnce)
+            std::erase_if(pairs, [](const Invertible& each) { return !each.showsAtOnce; });
+        all_ = std::move(pairs);
+        return runToEnds(limits, proof);
     }
 
     /// Those that show at once first, then that of the cause, then those of the pivot that made the
@@ -199,7 +229,7 @@ class Prover {
     /// Looks for two inversions of one pivot that show there only together: the second one is of a
     /// decision that the first one leads to. Takes `left` steps at most. False if cancelled.
     bool findPairs(std::uint64_t& left) {
-        sortByPivot();
+        sortByPivot(all_);
         Stepper stepper(points_, params_);
         std::vector<Invertible> pairs;
         for (const Invertible& each : all_) {
@@ -259,7 +289,7 @@ class Prover {
                 break;
             }
             if (!isUndone) ++proof.tried;
-            if (each.second) ++proof.pairs;
+            if (!isUndone && each.second) ++proof.pairs;
             if (*effect == Effect::None && !isUndone && undone_.size() < kMostUndone &&
                 aim_.changedByPivots && aim_.changedByPivots(fork.state()))
                 undone_.push_back(each);
@@ -274,6 +304,8 @@ class Prover {
     /// A fork copies the state: points that take as long as a step.
     static constexpr std::uint64_t kPointsPerStep = 64;
     static constexpr std::size_t kMostUndone = 3;
+    /// The inversions that others are tried with.
+    static constexpr std::size_t kMostFirst = 6;
 
     const PointSet& points_;
     const Params& params_;

@@ -18,7 +18,7 @@ namespace se {
 /// inserted third point. Nothing where the event cannot be inverted or is no decision.
 std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision);
 
-/// A decision that its pivot makes once an earlier one is inverted.
+/// A decision of the run with another one inverted.
 struct FollowingDecision {
     Event event;
     WhatIf inverse;
@@ -56,6 +56,10 @@ struct ProofAim {
     std::function<bool(std::span<const Triangle> made)> showsAtOnce = {};
     /// True if the triangles of the pivots of this run change the answer; may be empty.
     std::function<bool(const State& end)> changedByPivots = {};
+    /// The decisions to invert in a fork of the run, whose answer is the same; lowers `left` by its
+    /// steps. May be empty.
+    std::function<std::vector<FollowingDecision>(const Params& forked, std::uint64_t& left)>
+        following = {};
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
     std::function<Effect(const State& end)> effect;
@@ -96,9 +100,10 @@ struct RunLength {
 /// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none.
 /// Their runs are made to the ends: those that show at once first, then that of the cause, of a
 /// present subject those of the pivot of the cause, then the later ones; up to the first that
-/// changes the answer. Where none does, the first that replaces a failure is taken. An absent
-/// subject may come in by two inversions of one pivot, which are tried then; at last, an inversion
-/// that steps after the last pivot undo may change it while the rule of these steps is off.
+/// changes the answer. Where none does, the first that replaces a failure is taken. Two
+/// inversions may change it, the second of a decision that the first one leads to; those of one
+/// pivot are tried first. At last, an inversion that steps after the last pivot undo may change it
+/// while the rule of these steps is off.
 /// Makes its cause that of the proof, and its answer the sentences about it, with
 /// the rule that changes it where ProofAim::findsRule (prevention.h). Requires Ledger::words of the
 /// cause so far. Fails if cancelled.

@@ -254,8 +254,8 @@ void phaseConvex(AnyContext auto& context) {
     // and one that start or end did not move to is dropped, whatever the reason. As printed, each
     // is dropped that is beyond a convex start or end, and no other.
     const bool printed = paperRules(context).convexShared;
-    const bool dropsAtStart = !printed || !concaveAt<true>(context, Side::Start).concave();
-    const bool dropsAtEnd = !printed || !concaveAt<true>(context, Side::End).concave();
+    const bool dropsAtStart = !printed || !concaveAt(context, Side::Start).concave();
+    const bool dropsAtEnd = !printed || !concaveAt(context, Side::End).concave();
     const Index beyondStart = s.rings.point(beyond(s, Side::Start));
     const Index beyondEnd = s.rings.point(beyond(s, Side::End));
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
