@@ -264,7 +264,7 @@ TEST_CASE("the mirror image of an input, clockwise, is the mirror of the run, by
                 compare(name, prepared(*file), params);
         }
     }
-    CHECK(runs > 200);
+    CHECK(runs > 140);
 }
 
 TEST_CASE("6.1 a tie keeps the nearest, the farthest or both") {

@@ -87,7 +87,11 @@ void underAllRules(const PointFile& file, const GivenStart& start, const Visit& 
     for (const std::string_view set : paramSetNames()) {
         Params params = *paramsByName(set);
         params.start = start;
-        visit(prepared(file, {KNearest{}, params.dropOpposingNormals}), params);
+        const PointSet points = prepared(file, {KNearest{}, params.dropOpposingNormals});
+        visit(points, params);
+        if (set != "paper") continue;
+        params.paper.turn = TurnRule::Clockwise;
+        visit(points, params);
     }
 }
 
@@ -132,6 +136,9 @@ TEST_CASE("sentences: each follows from points and state, and each verdict occur
         Params unmoved;
         unmoved.paper.limits = false;
         visit(points, unmoved);
+        Params turned = *paramsByName("robust");
+        turned.paper.turn = TurnRule::Clockwise;
+        visit(points, turned);
     }
     for (const char* name : {"points/nefertiti.ply", "points/fin90.ply", "points/brain_piece.ply",
                              "points/table1_hyperboloid.ply", "cases/tunnel_no_normals.ply",
