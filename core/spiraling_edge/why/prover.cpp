@@ -120,13 +120,12 @@ class Prover {
         Proof proof{.left = stepsOf(limits, steps)};
         if (!runToEnds(limits, proof)) return Error{"Cancelled."};
         const std::vector<Invertible> singles = all_;
-        const auto isOpen = [&] { return proof.effect == Effect::None && proof.complete; };
-        if (isOpen() && aim_.showsAtOnce) {
-            if (!findPairs(proof.left) || !runToEnds(limits, proof)) return Error{"Cancelled."};
-        }
+        const auto isOpen = [&] {
+            return proof.effect == Effect::None && proof.complete &&
+                   proof.left >= kRunsOfPair * steps;
+        };
         for (std::size_t i = 0; i < singles.size() && i < kMostFirst && isOpen(); ++i) {
-            if (aim_.following && !runLaterPairs(singles[i], limits, proof))
-                return Error{"Cancelled."};
+            if (aim_.following && !runPairs(singles[i], limits, proof)) return Error{"Cancelled."};
         }
         if (proof.effect == Effect::None && !runUndone(limits, proof)) return Error{"Cancelled."};
         if (wasCut) proof.complete = false;
@@ -161,7 +160,9 @@ class Prover {
     /// Leaves out inversions that are refused, and marks those that show at their pivot, the last
     /// one of each in a run with `params`. Takes `left` steps at most. False if cancelled.
     bool lookAtPivots(const Params& params, std::uint64_t& left, std::vector<Invertible>& list) {
-        sortByPivot(list);
+        std::stable_sort(list.begin(), list.end(), [](const Invertible& a, const Invertible& b) {
+            return pivotOf(a) < pivotOf(b);
+        });
         Stepper stepper(points_, params);
         std::vector<Invertible> possible;
         for (Invertible& each : list) {
@@ -179,7 +180,7 @@ class Prover {
 
     /// Runs the pairs of an inversion and one of a later decision in the run with it; of an absent
     /// subject, those that show at once. False if cancelled.
-    bool runLaterPairs(const Invertible& first, const ProofLimits& limits, Proof& proof) {
+    bool runPairs(const Invertible& first, const ProofLimits& limits, Proof& proof) {
         const Params forked = with(first);
         std::vector<Invertible> pairs;
         for (const FollowingDecision& second : aim_.following(forked, proof.left)) {
@@ -226,49 +227,6 @@ class Prover {
         return runToEnds(limits, proof);
     }
 
-    /// Looks for two inversions of one pivot that show there only together: the second one is of a
-    /// decision that the first one leads to. Takes `left` steps at most. False if cancelled.
-    bool findPairs(std::uint64_t& left) {
-        sortByPivot(all_);
-        Stepper stepper(points_, params_);
-        std::vector<Invertible> pairs;
-        for (const Invertible& each : all_) {
-            if (each.listed != kNone || each.showsAtOnce) continue;
-            const std::uint32_t pivot = each.inverse.pivot;
-            if (!advanceTo(stepper, pivot, left, goesOn_) || !goesOn_()) return false;
-            if (hasReached(stepper, pivot)) addPairs(each, stepper.state(), left, pairs);
-        }
-        all_ = std::move(pairs);
-        return true;
-    }
-
-    void addPairs(const Invertible& first, const State& before, std::uint64_t& left,
-                  std::vector<Invertible>& pairs) const {
-        const std::uint64_t cost = 1 + points_.size() / kPointsPerStep;
-        EventLog log;
-        Stepper fork(points_, with(first), &log);
-        fork.setState(before);
-        fork.stepPivot();
-        Index pivot = kNone;
-        for (const Event& event : log.events()) {
-            if (const auto* begins = as<PivotEvidence>(event)) pivot = begins->pivot;
-            if (event.address.pivot != first.inverse.pivot || left < cost) continue;
-            const auto inverse = inverseOf(points_, LedgerLine{event, pivot, {}, {}});
-            const auto isKnown = [&](const Invertible& each) {
-                return each.inverse == *inverse && each.second->inverse == first.inverse;
-            };
-            if (!inverse || inverse->kind == WhatIfKind::List ||
-                std::any_of(pairs.begin(), pairs.end(), isKnown))
-                continue;
-            Invertible pair = first;
-            pair.second = FollowingDecision{event, *inverse};
-            left -= cost;
-            const Params both = with(pair);
-            if (checkLastWhatIf(points_, both, before) && showsAtOnce(both, before))
-                pairs.push_back(pair);
-        }
-    }
-
     /// Runs the inversions up to the first that changes the answer. False if cancelled.
     bool runToEnds(const ProofLimits& limits, Proof& proof) {
         constexpr double kLookShare = 0.3;
@@ -301,11 +259,11 @@ class Prover {
         return true;
     }
 
-    /// A fork copies the state: points that take as long as a step.
-    static constexpr std::uint64_t kPointsPerStep = 64;
     static constexpr std::size_t kMostUndone = 3;
     /// The inversions that others are tried with.
     static constexpr std::size_t kMostFirst = 6;
+    /// A ledger takes two runs, and a pair one.
+    static constexpr std::uint64_t kRunsOfPair = 3;
 
     const PointSet& points_;
     const Params& params_;

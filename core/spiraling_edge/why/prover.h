@@ -101,12 +101,11 @@ struct RunLength {
 /// Their runs are made to the ends: those that show at once first, then that of the cause, of a
 /// present subject those of the pivot of the cause, then the later ones; up to the first that
 /// changes the answer. Where none does, the first that replaces a failure is taken. Two
-/// inversions may change it, the second of a decision that the first one leads to; those of one
-/// pivot are tried first. At last, an inversion that steps after the last pivot undo may change it
-/// while the rule of these steps is off.
-/// Makes its cause that of the proof, and its answer the sentences about it, with
-/// the rule that changes it where ProofAim::findsRule (prevention.h). Requires Ledger::words of the
-/// cause so far. Fails if cancelled.
+/// inversions may change it, the second of a decision in the run with the first; they are tried
+/// while the steps of three runs are left. At last, an inversion that steps after the last pivot
+/// undo may change it while the rule of these steps is off. The cause becomes that of the proof,
+/// and the answer the sentences about it, with the rule that changes it where ProofAim::findsRule
+/// (prevention.h). Requires Ledger::words of the cause so far. Fails if cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
                 std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
                 Ledger& ledger, const Progress& progress);
