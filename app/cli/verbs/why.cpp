@@ -100,7 +100,8 @@ struct WhyArguments {
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
-        app.add_flag("--remedy", remedy, "Not needed: the answer names the rule")->group("");
+        app.add_flag("--remedy", remedy, "Not needed: the answer names a rule, if one prevents it")
+            ->group("");
         app.add_flag("--prove", prove, "Not needed: --failure proves")->group("");
         app.add_flag("--more", more,
                      "With --point, --edge, --triangle and --failure: look for the proof with up "
@@ -199,7 +200,8 @@ ExitCode whyVerb(const Arguments& words) {
     // Mistakes in the query are reported before the long work.
     const auto parsed = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && !arguments.quiet)
-        printNote("--remedy is not needed: the answer names the rule that prevents it.\n");
+        printNote(
+            "--remedy is not needed: the answer names a rule that prevents it, if one does.\n");
     if (arguments.prove && !arguments.quiet && arguments.failures)
         printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())

@@ -144,11 +144,6 @@ class Prover {
     static std::uint32_t pivotOf(const Invertible& each) {
         return each.second ? each.second->inverse.pivot : each.inverse.pivot;
     }
-    static void sortByPivot(std::vector<Invertible>& list) {
-        std::stable_sort(list.begin(), list.end(), [](const Invertible& a, const Invertible& b) {
-            return pivotOf(a) < pivotOf(b);
-        });
-    }
     /// True if the pivot after this state, run with `forked`, changes the answer.
     bool showsAtOnce(const Params& forked, const State& before) const {
         Stepper fork(points_, forked);
