@@ -24,7 +24,7 @@ std::span<const TaskRow> taskRows();
 inline const TaskRow& rowOf(Task task) { return taskRows()[static_cast<std::size_t>(task)]; }
 
 // Titles of parts that commands open.
-inline constexpr const char* kLedgerPart = "Ledger";
+inline constexpr const char* kLedgerPart = "Why";
 inline constexpr const char* kAlertsPart = "Alerts";
 inline constexpr const char* kQueryPart = "Query";
 inline constexpr const char* kBreakpointsPart = "Breakpoints";

@@ -77,7 +77,7 @@ TEST_CASE("The verdict leads to the worst place, its reason, the fix and the fil
     CHECK_FALSE(app["alert"].empty());
     CHECK(app["part"] == "Alerts");
     app.clickOn("verdict why");
-    CHECK(app["part"] == "Ledger");
+    CHECK(app["part"] == "Why");
     CHECK_FALSE(app["trial_best"].empty());
     app.clickOn("rail Faults");
     // The pointer on Fix, or on its numbers, shows on the mesh what changes.

@@ -191,7 +191,7 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
 void drawWhy(const PanelContext& context, const RunFailure& alert) {
     const Questions& questions = context.session().questions();
     if (smallButton(context, "Why?", "alert why",
-                    "The decisions that led to it, in the panel Ledger: " + context.key("ask.why")))
+                    "The decisions that led to it, in the panel Why: " + context.key("ask.why")))
         askWhy(context.commands, alert);
     const Ledger* answer = questions.isAbout(alert.failure) ? questions.why() : nullptr;
     if (answer != nullptr) {

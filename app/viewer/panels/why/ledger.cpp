@@ -1,4 +1,4 @@
-// The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
+// The panel Why: the cause of a point, edge or triangle, by selection or by text.
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
 #include "document/document.h"
