@@ -47,7 +47,8 @@ TEST_CASE("doctor: no clean set has a problem" * doctest::test_suite("long")) {
     }
 }
 
-TEST_CASE("doctor: openings are noted on the sets that have some, and on no closed one") {
+TEST_CASE("doctor: openings are noted on the sets that have some, and on no closed one" *
+          doctest::test_suite("long")) {
     // As the rims of docs/choices.md.
     const std::map<std::string, std::string> open{
         {"bunny", "5 rims"},           {"nefertiti", "1 rim "},
