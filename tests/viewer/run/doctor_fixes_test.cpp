@@ -189,7 +189,8 @@ TEST_CASE("A path is one word of a command line, with any characters") {
     CHECK(shellQuoted("it's") == "'it'\\''s'");
     CHECK(shellQuoted("a;b$c") == "'a;b$c'");
     CHECK(shellQuoted("") == "''");
-    const Finding copies{findDoctorCheck("duplicates")};
+    Finding copies;
+    copies.check = findDoctorCheck("duplicates");
     CHECK(commandOf(copies, "'/IN x/OUT.ply'", "'y IN.ply'") ==
           "spiraling-edge doctor '/IN x/OUT.ply' --fix 'y IN.ply'");
 }
