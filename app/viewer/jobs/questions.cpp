@@ -37,12 +37,14 @@ bool Questions::busy() const {
     return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
 
-void Questions::startProof(BackgroundQuery<Ledger>::Work search) {
+template <typename Search>
+void Questions::startProof(Search search) {
     proof_.cancel();
-    // Without threads the window waits for the runs; on inputs of this size they take half a
-    // second.
-    constexpr std::size_t kMostAtOnce = 1500;
-    if (usesThreads() || model_->points.size() <= kMostAtOnce) proof_.start(std::move(search));
+    // Without threads the window would wait for the runs. A template, so that proofs are not even
+    // linked there.
+    if constexpr (kHasThreads) {
+        if (usesThreads()) proof_.start(std::move(search));
+    }
 }
 
 void Questions::askWhy(const Selection& what) {

@@ -39,12 +39,11 @@ class Questions {
     bool busy() const;
 
     // Everything below requires a run.
-    /// Starts the query why the selection is in the mesh, or why not, and its proof (core's
-    /// why/proof.h), which takes its place; without threads, of small inputs alone. Requires a
-    /// selection that is not empty.
+    /// Starts the query why the selection is in the mesh, or why not, and with threads its proof
+    /// (core's why/proof.h), which takes its place. Requires a selection that is not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
-    /// Starts the query why a failure is there, one of `known`, and its proof, too; until
+    /// Starts the query why a failure is there, one of `known`, and with threads its proof; until
     /// then its moments are the answer, or the ledger of a lost point. `standIn`: what is selected
     /// for it; empty for a loop.
     void askWhy(const RunFailure& failure, std::vector<MeshFailure> known,
@@ -94,8 +93,9 @@ class Questions {
     }
 
     std::shared_ptr<const Model> model_;
-    /// Starts the search for a proof; without threads, of small inputs alone.
-    void startProof(BackgroundQuery<Ledger>::Work search);
+    /// Starts the search for a proof, where there are threads.
+    template <typename Search>
+    void startProof(Search search);
 
     Selection subject_;
     std::optional<MeshFailure> failure_;  ///< Of the last query, if it was about one.

