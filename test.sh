@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs missing packages, builds everything with warnings as errors and runs every check:
-#   asan      core and its tests with address and undefined behavior sanitizers
-#   lean      optimized programs, tested from outside; the viewer also under a virtual display
+#   asan      core and its tests, but for the long ones, with address and undefined behavior sanitizers
+#   lean      optimized programs, tested from outside; the viewer also under a virtual display; core's long tests
 #   the rest  layers, format, clang-tidy, use as a library by another project
 #   ./test.sh [-j N]
 # Everything goes to build-test/; logs to build-test/logs/. The last line counts.
