@@ -1490,6 +1490,13 @@ why_proves_the_causes_of_failures() {
     sed -n 's/^ *"\([0-9].* [a-z]* [0-9]*\)",\{0,1\}$/\1/p' out | head -1 >turn
     expect 0 run scene:stranded-point --what-if "$(cat turn)" -o turned.ply
     expect 0 why scene:noise --failure flipped_triangles --more
+    # Of lists that are wrong no rule makes a sound mesh, but others do.
+    expect 0 why scene:wrong-lists --rules robust --failure holes
+    says out "The option --neighbors 10 prevents it, and leaves a sound mesh."
+    says out "Prepared: --neighbors 10"
+    expect 0 run scene:wrong-lists --rules robust --neighbors 10 --check -o other.ply
+    expect 0 why scene:wrong-lists --rules robust --failure holes --json
+    says out '"preparation": "--neighbors 10"'
     expect 2 why scene:torus --failures --more
     says err "--more: needs"
     expect 0 why scene:stranded-point --failures --prove

@@ -85,11 +85,15 @@ Answer answerOf(const Ledger& ledger) {
         answer.text += "\n";
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
-    if (ledger.preventedBy != nullptr) {
-        const std::string rule = lineOf(RuleValue{std::string(ledger.preventedBy->name)});
-        answer.text +=
-            (ledger.inversions.empty() ? "\n" : "") + fmt::format("Rule:     --rule {}\n", rule);
-        answer.json["rule"] = rule;
+    if (ledger.preventedBy) {
+        const bool isRule = ledger.preventedBy->field->type == SpecType::Rule;
+        const std::string option = optionsOf({*ledger.preventedBy}).front();
+        answer.text += (ledger.inversions.empty() ? "\n" : "") +
+                       fmt::format("{:<9} {}\n", isRule ? "Rule:" : "Prepared:", option);
+        if (isRule)
+            answer.json["rule"] = ledger.preventedBy->text;
+        else
+            answer.json["preparation"] = option;
     }
     return answer;
 }

@@ -100,7 +100,8 @@ struct WhyArguments {
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
-        app.add_flag("--remedy", remedy, "Not needed: the answer names a rule, if one prevents it")
+        app.add_flag("--remedy", remedy,
+                     "Not needed: the answer names a change, if one prevents it")
             ->group("");
         app.add_flag("--prove", prove, "Not needed: --failure proves")->group("");
         app.add_flag("--more", more,
@@ -116,7 +117,12 @@ struct WhyArguments {
                    "is proved.");
     }
 
-    ProofLimits proofLimits() const { return more ? ProofLimits{200, 100.0} : ProofLimits{}; }
+    /// What proofs try, for the run of a file's points.
+    ProofScope proofScope(const PointFile& file, const PointSet& run) const {
+        ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
+        scope.preparations = otherPreparations(file, input.spec(), run);
+        return scope;
+    }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
     /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().
     Subject subject() const {
@@ -137,16 +143,16 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer about the failure of a choice: its three moments, the proof of its cause, and the rule
-/// that prevents it.
+/// Answer about the failure of a choice: its three moments, the proof of its cause, and what
+/// prevents it.
 Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
-                  const RunFailureSearch& found, const PreparedInput& run, ProgressLine& line) {
+                  const RunFailureSearch& found, const PreparedInput& run, const ProofScope& scope,
+                  ProgressLine& line) {
     const RunFailure failure = pickFailure(found, choice, arguments.input.input());
     Answer answer = answerOf(failure);
     const Answer proof =
         answerOf(searched(arguments, "proving", line, [&](const Progress& progress) {
-            return provedWhy(run.points, run.params, failure, found.all, arguments.proofLimits(),
-                             progress);
+            return provedWhy(run.points, run.params, failure, found.all, scope, progress);
         }));
     answer.text += "\n" + proof.text;
     answer.json.update(proof.json);
@@ -155,17 +161,18 @@ Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
 
 /// Answer about what went wrong in a run: all of it, or the failure of a choice.
 Answer askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
-                   const PreparedInput& run, ProgressLine& line) {
+                   const PreparedInput& run, const ProofScope& scope, ProgressLine& line) {
     const RunFailureSearch found = searched(
         arguments, "asking", line,
         [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
-    if (choice) return askFailure(arguments, *choice, found, run, line);
+    if (choice) return askFailure(arguments, *choice, found, run, scope, line);
     return answerOf(found, arguments.limit);
 }
 
 /// Answer about the subject, the ring, the charts, the closest decisions or those of a query.
 Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& ring,
-              const DecisionQuery& query, const PreparedInput& run, ProgressLine& line) {
+              const DecisionQuery& query, const PreparedInput& run, const ProofScope& scope,
+              ProgressLine& line) {
     // A search that takes the run, and these values.
     const auto ask = [&](const auto& search, const auto&... values) {
         return answerOf(searched(arguments, "asking", line, [&](const Progress& progress) {
@@ -175,7 +182,7 @@ Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& r
     if (arguments.asksSubject()) {
         const Subject subject = arguments.subject();
         Answer answer = answerOf(searched(arguments, "asking", line, [&](const Progress& progress) {
-            return provedWhy(run.points, run.params, subject, arguments.proofLimits(), progress);
+            return provedWhy(run.points, run.params, subject, scope, progress);
         }));
         answer.json["subject"] = subject.points();
         return answer;
@@ -201,7 +208,7 @@ ExitCode whyVerb(const Arguments& words) {
     const auto parsed = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && !arguments.quiet)
         printNote(
-            "--remedy is not needed: the answer names a rule that prevents it, if one does.\n");
+            "--remedy is not needed: the answer names a change that prevents it, if one does.\n");
     if (arguments.prove && !arguments.quiet && arguments.failures)
         printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())
@@ -225,8 +232,9 @@ ExitCode whyVerb(const Arguments& words) {
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty())
         throw Failure(ExitCode::Input, "{}: {}", arguments.input.input(), missing);
-    const Answer answer = asksFailures ? askFailures(arguments, choice, run, line)
-                                       : askRun(arguments, ring, query, run, line);
+    const ProofScope scope = arguments.proofScope(file, run.points);
+    const Answer answer = asksFailures ? askFailures(arguments, choice, run, scope, line)
+                                       : askRun(arguments, ring, query, run, scope, line);
     Json json{{"input", arguments.input.input()}};
     json.update(answer.json);
     print({answer.text, json}, arguments.json);

@@ -164,7 +164,8 @@ class Cursor {
 /// Why a point, an edge or a triangle is in the mesh of a run or not.
 py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool more,
                  const py::object& report) {
-    const ProofLimits limits = more ? ProofLimits{200, 100.0} : ProofLimits{};
+    ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
+    scope.preparations = otherPreparations(*run->file, run->spec, *run->points, run->leaveOut);
     const Params params = possibleParams(*run);
     const Subject subject = points.size() == 1 ? Subject::point(points[0])
                             : points.size() == 2
@@ -172,19 +173,26 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
                                 : Subject::triangle(points.at(0), points.at(1), points.at(2));
     const Ledger ledger =
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
-            return provedWhy(*run->points, params, subject, limits, progress);
+            return provedWhy(*run->points, params, subject, scope, progress);
         }));
     std::vector<std::string> inversions;
     inversions.reserve(ledger.inversions.size());
     for (const WhatIf& each : ledger.inversions) inversions.push_back(lineOf(each));
-    const auto ruleLine = [](const RuleSetting* rule, double value) {
-        return rule == nullptr ? std::optional<std::string>()
-                               : lineOf(RuleValue{std::string(rule->name), value});
-    };
+    std::optional<std::string> without;
+    if (ledger.undoneBy != nullptr)
+        without = lineOf(RuleValue{std::string(ledger.undoneBy->name), 0.0});
+    std::optional<std::string> rule;
+    std::optional<std::string> preparation;
+    if (const std::optional<FieldValue>& by = ledger.preventedBy) {
+        if (by->field->type == SpecType::Rule)
+            rule = by->text;
+        else
+            preparation = std::string(by->field->key) + "=" + by->text;
+    }
     return record("Answer", ledger.name, ledger.present, ledger.answer,
                   toString(ledger.lines[ledger.cause].event.address),
-                  textOf(provedByName(ledger.provedBy)), inversions, ruleLine(ledger.undoneBy, 0.0),
-                  ruleLine(ledger.preventedBy, 1.0), lineList(ledger.lines));
+                  textOf(provedByName(ledger.provedBy)), inversions, without, rule, preparation,
+                  lineList(ledger.lines));
 }
 
 /// Names in the order of Phase: those of their stages where they have one.

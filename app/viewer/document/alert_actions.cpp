@@ -193,8 +193,8 @@ bool showsFinishedMesh(const CommandContext& context) {
            context.session.atEnd();
 }
 
-void switchOn(CommandContext& context, const RuleSetting& rule) {
-    context.document.rerun(withRule(context.session.input().spec(), rule.name, 1.0), Resume::End);
+void runWith(CommandContext& context, const FieldValue& change) {
+    context.document.run(changed(context.session.input().spec(), {change}), Resume::End);
 }
 
 bool canFix(const CommandContext& context) {
@@ -241,10 +241,9 @@ void closeHoles(CommandContext& context, double width) {
     context.document.rerun(withRule(rules, "holewidth", width), Resume::End);
 }
 
-void showBeside(CommandContext& context, const RuleSetting& rule) {
-    const RunSpec& spec = context.session.input().spec();
+void showBeside(CommandContext& context, const FieldValue& change) {
     actions::enterCompare(context);
-    context.compare.begin(CompareWith::otherRun(withRulesOf(spec, withRule(spec, rule.name, 1.0))));
+    context.compare.begin(CompareWith::otherRun(changed(context.session.input().spec(), {change})));
 }
 
 namespace {

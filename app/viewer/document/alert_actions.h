@@ -50,9 +50,9 @@ std::string verdictText(const RunAlerts& alerts);
 std::string verdictSentence(const RunAlerts& alerts);
 /// True where the finished mesh is shown with its faults, and without its last decision.
 bool showsFinishedMesh(const CommandContext& context);
-/// Runs the input again with one more rule, to its end: the place of the defect is visible there,
-/// since selection and camera stay.
-void switchOn(CommandContext& context, const RuleSetting& rule);
+/// Runs the input again with a change, to its end: the place of the defect is visible there. If it
+/// is a rule, selection and camera stay.
+void runWith(CommandContext& context, const FieldValue& change);
 /// True if Fix has something to do: the mesh is not sound, and other settings can be tried, or one
 /// of those tried is better.
 bool canFix(const CommandContext& context);
@@ -70,8 +70,8 @@ std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
 /// the file; 0: as the rules say. With the robust rules if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);
-/// Opens the layout Compare: the run as it is, and the one with that rule, at this position.
-void showBeside(CommandContext& context, const RuleSetting& rule);
+/// Opens the layout Compare: the run as it is, and the one with that change, at this position.
+void showBeside(CommandContext& context, const FieldValue& change);
 
 // Shows the alert of the command line, that of the session, or the finished mesh with its faults,
 // once the alerts of a run are known. Independent of window and OpenGL.

@@ -13,8 +13,12 @@
 
 namespace se::view {
 
-void Questions::open(std::shared_ptr<const Model> model) {
+void Questions::open(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> file,
+                     RunSpec spec) {
     model_ = std::move(model);
+    file_ = std::move(file);
+    spec_ = std::move(spec);
+    spec_.neighbors.threads = 1;
     subject_ = {};
     failure_.reset();
     subjectName_.clear();
@@ -37,13 +41,17 @@ bool Questions::busy() const {
     return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
 
-template <typename Search>
-void Questions::startProof(Search search) {
+template <typename Prove>
+void Questions::startProof(Prove prove) {
     proof_.cancel();
     // Without threads the window would wait for the runs. A template, so that proofs are not even
     // linked there.
     if constexpr (kHasThreads) {
-        if (usesThreads()) proof_.start(std::move(search));
+        if (!usesThreads()) return;
+        proof_.start([model = model_, file = file_, spec = spec_, prove](const Progress& progress) {
+            const ProofScope scope{.preparations = otherPreparations(*file, spec, model->points)};
+            return prove(*model, scope, progress);
+        });
     }
 }
 
@@ -56,8 +64,8 @@ void Questions::askWhy(const Selection& what) {
     ledger_.ask(model_, [what](const Model& model) {
         return whyQuestion(model.points, model.params, toSubject(what)).value();
     });
-    startProof([model = model_, what](const Progress& progress) {
-        return provedWhy(model->points, model->params, toSubject(what), {}, progress);
+    startProof([what](const Model& model, const ProofScope& scope, const Progress& progress) {
+        return provedWhy(model.points, model.params, toSubject(what), scope, progress);
     });
 }
 
@@ -90,8 +98,9 @@ void Questions::askWhy(const RunFailure& failure, std::vector<MeshFailure> known
     else
         ledger_.start(
             [ledger = std::move(ledger)](const Progress&) -> Result<Ledger> { return ledger; });
-    startProof([model = model_, failure, known = std::move(known)](const Progress& progress) {
-        return provedWhy(model->points, model->params, failure, known, {}, progress);
+    startProof([failure, known = std::move(known)](const Model& model, const ProofScope& scope,
+                                                   const Progress& progress) {
+        return provedWhy(model.points, model.params, failure, known, scope, progress);
     });
 }
 

@@ -30,8 +30,9 @@ class Questions {
     static constexpr std::size_t kMaxFound = 10'000;
     static constexpr std::size_t kClosest = 200;
 
-    /// Sets another run, without queries and answers.
-    void open(std::shared_ptr<const Model> model);
+    /// Sets another run, of that file by that spec without fixes, without queries and answers.
+    void open(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> file,
+              RunSpec spec);
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until all queries are answered.
@@ -93,6 +94,8 @@ class Questions {
     }
 
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const PointFile> file_;  ///< Not null with a model.
+    RunSpec spec_;                           ///< Without fixes.
     /// Starts the search for a proof, where there are threads.
     template <typename Search>
     void startProof(Search search);

@@ -291,10 +291,10 @@ void Session::adopt(Opened opened) {
         problemFound_ = false;
         doctorJob_.enqueue(std::move(opened.file));
     }
-    questions_->open(model_);
     hits_.open(model_);
     watches_.open(model_);
     alerts_.open(model_);
+    questions_->open(model_, input_.file(), withFixesAsOptions(input_.spec()));
     trials_.open(input_.file(), withFixesAsOptions(input_.spec()));
     ++generation_;
     ++revision_;

@@ -30,15 +30,11 @@ Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
     return effect;
 }
 
-/// The effect on it in the mesh of a run. Undecided counts as unchanged.
-Effect effectAtEnd(const PointSet& points, const MeshFailure& failure,
-                   std::span<const MeshFailure> known, const State& end,
-                   const LeftOverRings& rings) {
-    if (failure.kind->find == nullptr) return effectOn(failure, known, rings.found());
-    const MeshInspection found = inspectWithTotals(points, end.mesh());
-    const bool all = found.totals[rankOf(*failure.kind)].all();
-    const Effect effect = effectOn(failure, known, found.failures);
-    return all ? effect : Effect::None;
+/// The effect on it in an inspected mesh. Undecided counts as unchanged.
+Effect effectIn(const MeshInspection& mesh, const MeshFailure& failure,
+                std::span<const MeshFailure> known) {
+    const bool all = mesh.totals[rankOf(*failure.kind)].all();
+    return all ? effectOn(failure, known, mesh.failures) : Effect::None;
 }
 
 /// Adds the tests and fans at the points of a loop that were refused.
@@ -88,11 +84,11 @@ Ledger ledgerOf(const RunFailure& failure) {
 }
 
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const RunFailure& asked,
-                         std::span<const MeshFailure> known, const ProofLimits& limits,
+                         std::span<const MeshFailure> known, const ProofScope& scope,
                          const Progress& progress) {
     const MeshFailure& failure = asked.failure;
     if (isLostPoint(failure))
-        return provedWhy(points, params, Subject::point(failure.points.front()), limits, progress);
+        return provedWhy(points, params, Subject::point(failure.points.front()), scope, progress);
     constexpr double kLinesShare = 0.6;
     Ledger ledger = ledgerOf(asked);
     RunLength length;
@@ -106,11 +102,23 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
                     partOf(progress, 0.0, kLinesShare)))
         return Error{"Cancelled."};
     LeftOverRings rings;
-    const bool ofRun = failure.kind->find == nullptr;
-    const ProofAim aim{.rings = ofRun ? &rings : nullptr, .effect = [&](const State& end) {
-                           return effectAtEnd(points, failure, known, end, rings);
-                       }};
-    const Status done = conclude(points, params, aim, invertibleOf(points, ledger), length, limits,
+    ProofAim aim;
+    if (failure.kind->find == nullptr) {
+        aim.rings = &rings;
+        aim.effect = [&](const State&) { return effectOn(failure, known, rings.found()); };
+    } else {
+        aim.effect = [&](const State& end) {
+            return effectIn(inspectWithTotals(points, end.mesh()), failure, known);
+        };
+        // An opening in the place of a hole is no fault any more.
+        aim.effectOfChange = [&](const State& end) {
+            MeshInspection mesh = inspectWithTotals(points, end.mesh());
+            if (failure.kind->fault)
+                std::erase_if(mesh.failures, [](const auto& each) { return !each.kind->fault; });
+            return effectIn(mesh, failure, known);
+        };
+    }
+    const Status done = conclude(points, params, aim, invertibleOf(points, ledger), length, scope,
                                  ledger, partOf(progress, kLinesShare, 1.0));
     if (!done.ok()) return done.error();
     return ledger;

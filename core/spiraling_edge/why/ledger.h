@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/run/sweep.h"
+#include "spiraling_edge/spec/spec_fields.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se {
@@ -70,9 +71,9 @@ struct Ledger {
     std::vector<WhatIf> inversions = {};
     /// The rule that is off as well then, since its steps after the last pivot undo them; or null.
     const RuleSetting* undoneBy = nullptr;
-    /// The rule that prevents a failure, or brings an absent point in, when it is on
-    /// (prevention.h); null: none was found, or none was looked for.
-    const RuleSetting* preventedBy = nullptr;
+    /// The rule or the preparation that prevents a failure, or brings an absent subject in
+    /// (prevention.h). Nothing: none was found, or none was looked for.
+    std::optional<FieldValue> preventedBy = {};
 };
 
 /// The answer of a ledger in words: "Point 812 is not in the mesh", what is said between, and its

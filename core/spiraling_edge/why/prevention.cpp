@@ -41,48 +41,81 @@ State withEdges(State state, const Params& params) {
     return state;
 }
 
+/// The aim where what is tried is a change of rules or of preparation.
+ProofAim aimOfChange(ProofAim aim) {
+    if (aim.effectOfChange) aim.effect = aim.effectOfChange;
+    return aim;
+}
+
 class PreventionSearch {
   public:
     PreventionSearch(const PointSet& points, const Params& params, const ProofAim& aim,
                      std::uint64_t left, const Progress& progress)
         : points_(points),
           params_(params),
-          aim_(aim),
+          aim_(aimOfChange(aim)),
           left_(left),
           goesOn_([&progress] { return !progress || progress(0.0); }),
           candidates_(candidatesOf(params)) {}
 
-    /// True if there is no rule to try.
-    bool empty() const { return candidates_.empty(); }
-    /// The rule that changes the answer; null if none was found.
-    const RuleSetting* found() const { return found_; }
+    /// The rule or preparation that changes the answer, if one was found.
+    const std::optional<FieldValue>& found() const { return found_; }
     /// The verdict on the mesh with it.
     const MeshVerdict& verdict() const { return verdict_; }
-    /// False if some rule was left out for the limit.
-    bool complete() const { return complete_; }
+    /// "No single rule of robust, and none of 4 other preparations"; empty if nothing was tried, or
+    /// not all for the limit.
+    std::string allTried(std::size_t preparations) const {
+        if (left_ == 0) return "";
+        const std::string rules = candidates_.empty() ? "" : "No single rule of robust";
+        if (preparations == 0) return rules;
+        return (rules.empty() ? "None of " : rules + ", and none of ") +
+               counted(preparations, "other preparation");
+    }
 
     /// Looks at these pivots, in ascending order, the last of which is that of the run. False if
     /// cancelled.
-    bool run(const std::vector<std::uint32_t>& places) {
+    bool runRules(const std::vector<std::uint32_t>& places) {
+        if (candidates_.empty()) return true;
         if (!compareAt(places)) return false;
         std::stable_partition(candidates_.begin(), candidates_.end(),
                               [](const Candidate& each) { return each.differs; });
+        const SpecField* switches = findSpecField("switches");
         for (const Candidate& each : candidates_) {
-            if (left_ == 0) break;
-            Stepper whole(points_, each.params);
-            const auto effect = effectOfRun(whole, points_, aim_, left_, goesOn_);
-            if (!effect) return false;
-            if (*effect != Effect::Changed) continue;
-            const MeshVerdict verdict = judgeMesh(points_, whole.state().mesh()).verdict;
-            if (found_ != nullptr && !hasFewerFaults(verdict, verdict_)) continue;
-            found_ = each.rule;
-            verdict_ = verdict;
+            const RuleValue on{std::string(each.rule->name)};
+            if (!runWith({switches, lineOf(on)}, points_, each.params)) return false;
         }
-        complete_ = left_ > 0;
+        return true;
+    }
+
+    /// Each counts as many steps as there are points, beside its run. False if cancelled.
+    bool runPreparations(std::span<const OtherPreparation> all) {
+        for (const OtherPreparation& each : all) {
+            left_ -= std::min<std::uint64_t>(left_, points_.size());
+            if (left_ == 0) break;
+            const std::optional<PointSet> points =
+                each.points([this](double) { return goesOn_(); });
+            if (!goesOn_()) return false;
+            if (points && !runWith(each.change, *points, params_)) return false;
+        }
         return true;
     }
 
   private:
+    /// Makes a run with a change, and keeps it if it changes the answer and has fewer faults than
+    /// those before. False if cancelled.
+    bool runWith(const FieldValue& change, const PointSet& points, const Params& params) {
+        if (left_ == 0) return true;
+        Stepper whole(points, params);
+        const auto effect = effectOfRun(whole, points_, aim_, left_, goesOn_);
+        if (!effect) return false;
+        if (*effect != Effect::Changed) return true;
+        const MeshVerdict verdict = judgeMesh(points_, whole.state().mesh()).verdict;
+        if (found_ && !hasFewerFaults(verdict, verdict_)) return true;
+        found_ = change;
+        verdict_ = verdict;
+        return true;
+    }
+
     /// Finds the rules that decide otherwise. False if cancelled.
     bool compareAt(const std::vector<std::uint32_t>& places) {
         Stepper plain(points_, params_);
@@ -116,14 +149,20 @@ class PreventionSearch {
 
     const PointSet& points_;
     const Params& params_;
-    const ProofAim& aim_;
+    const ProofAim aim_;
     std::uint64_t left_;
     const GoesOn goesOn_;
     std::vector<Candidate> candidates_;
-    const RuleSetting* found_ = nullptr;
+    std::optional<FieldValue> found_;
     MeshVerdict verdict_;
-    bool complete_ = true;
 };
+
+/// "The rule fill", "The option --derive-rim".
+std::string nameOf(const FieldValue& change) {
+    if (change.field->type == SpecType::Rule)
+        return "The rule " + change.text.substr(0, change.text.find('='));
+    return "The option " + optionsOf({change}).front();
+}
 
 /// The pivots of the cause and of the triangles of a ledger, and the last one, in ascending order.
 std::vector<std::uint32_t> placesOf(const Ledger& ledger, std::uint32_t last) {
@@ -141,21 +180,22 @@ std::vector<std::uint32_t> placesOf(const Ledger& ledger, std::uint32_t last) {
 }  // namespace
 
 bool addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
-                   const ProofAim& aim, std::uint64_t left, Ledger& ledger,
+                   const ProofAim& aim, std::uint64_t left,
+                   std::span<const OtherPreparation> preparations, Ledger& ledger,
                    const Progress& progress) {
     PreventionSearch search(points, params, aim, left, progress);
-    if (search.empty()) return true;
-    if (!search.run(placesOf(ledger, last))) return false;
+    if (!search.runRules(placesOf(ledger, last))) return false;
+    if (!search.found() && !search.runPreparations(preparations)) return false;
     ledger.preventedBy = search.found();
     const std::string does = ledger.present ? " prevents it" : " brings it in";
-    if (ledger.preventedBy != nullptr) {
+    if (ledger.preventedBy) {
         const MeshVerdict& with = search.verdict();
         ledger.answer +=
-            " The rule " + std::string(ledger.preventedBy->name) + does +
+            " " + nameOf(*ledger.preventedBy) + does +
             (with.isSound() ? ", and leaves a sound mesh."
                             : ", and leaves faults at " + counted(with.places, "place") + ".");
-    } else if (search.complete()) {
-        ledger.answer += " No single rule of robust" + does + ".";
+    } else if (const std::string tried = search.allTried(preparations.size()); !tried.empty()) {
+        ledger.answer += " " + tried + does + ".";
     }
     return true;
 }

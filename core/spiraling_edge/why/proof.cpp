@@ -111,7 +111,7 @@ std::string_view provedByName(ProvedBy by) {
 }
 
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
-                         const ProofLimits& limits, const Progress& progress) {
+                         const ProofScope& scope, const Progress& progress) {
     constexpr double kLedgerShare = 0.6;
     Result<AskedSubject> asked =
         askSubject(points, params, subject, partOf(progress, 0.0, kLedgerShare));
@@ -141,7 +141,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     };
     aim.findsRule = !present;
     const Status done =
-        conclude(points, params, aim, std::move(asked.value().all), asked.value().length, limits,
+        conclude(points, params, aim, std::move(asked.value().all), asked.value().length, scope,
                  ledger, partOf(progress, kLedgerShare, 1.0));
     if (!done.ok()) return done.error();
     return std::move(ledger);

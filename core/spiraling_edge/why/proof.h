@@ -3,16 +3,20 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "spiraling_edge/why/failure_moments.h"
+#include "spiraling_edge/why/other_preparations.h"
 
 namespace se {
 
-/// The limits of a search for a proof.
-struct ProofLimits {
+/// The extent of a search for a proof, and for what else changes the answer.
+struct ProofScope {
     std::size_t inversions = 20;  ///< That are run to the end.
     /// Steps of all inversions, in runs; at least kLeastProofSteps in any case.
     double runs = 3.0;
+    /// Tried where no rule changes the answer.
+    std::vector<OtherPreparation> preparations = {};
 };
 inline constexpr std::uint64_t kLeastProofSteps = 500'000;
 
@@ -22,10 +26,10 @@ inline constexpr std::uint64_t kLeastProofSteps = 500'000;
 /// cause then, and the sentence says so, or ends with the number of inversions that do not change
 /// the answer. Inversions that make an absent subject at their own pivot are run first, then that
 /// of the cause of why(), then those of the pivot that made the subject, then the later ones.
-/// O(three runs + points for each of at most 202 inversions + the runs of `limits`). Fails as why()
+/// O(three runs + points for each of at most 202 inversions + the runs of `scope`). Fails as why()
 /// does. Deterministic.
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
-                         const ProofLimits& limits = {}, const Progress& progress = {});
+                         const ProofScope& scope = {}, const Progress& progress = {});
 
 /// The moments of a failure as a ledger, whose cause is the last decision that it depends on. Not
 /// proved, except by a step after the last pivot.
@@ -37,7 +41,7 @@ Ledger ledgerOf(const RunFailure& failure);
 /// subject. `known`: all failures of the run. An inspection of the mesh for each inversion. Fails
 /// if cancelled. Deterministic.
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const RunFailure& failure,
-                         std::span<const MeshFailure> known, const ProofLimits& limits = {},
+                         std::span<const MeshFailure> known, const ProofScope& scope = {},
                          const Progress& progress = {});
 
 }  // namespace se

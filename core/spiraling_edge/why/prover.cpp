@@ -91,13 +91,13 @@ struct Proof {
     std::size_t tried = 0;         ///< Inversions that were run, this one among them.
     std::size_t pairs = 0;         ///< Those of two decisions.
     bool complete = true;          ///< Not one was left out for the limits.
-    std::uint64_t left = 0;        ///< Steps of the limits that were not made.
+    std::uint64_t left = 0;        ///< Steps that were not made.
 };
 
 /// The steps that inversions of a run of `steps` may take.
-std::uint64_t stepsOf(const ProofLimits& limits, std::uint64_t steps) {
+std::uint64_t stepsOf(const ProofScope& scope, std::uint64_t steps) {
     return std::max(kLeastProofSteps,
-                    static_cast<std::uint64_t>(limits.runs * static_cast<double>(steps)));
+                    static_cast<std::uint64_t>(scope.runs * static_cast<double>(steps)));
 }
 
 class Prover {
@@ -111,23 +111,23 @@ class Prover {
           goesOn_([this, &progress] { return !progress || progress(share_); }),
           all_(std::move(all)) {}
 
-    Result<Proof> run(std::uint64_t steps, const ProofLimits& limits) {
-        if (all_.empty()) return Proof{.left = stepsOf(limits, steps)};
+    Result<Proof> run(std::uint64_t steps, const ProofScope& scope) {
+        if (all_.empty()) return Proof{.left = stepsOf(scope, steps)};
         const bool wasCut = all_.size() >= kMostInvertible;
         std::uint64_t looking = ~std::uint64_t{0};
         if (!lookAtPivots(params_, looking, all_)) return Error{"Cancelled."};
         sortByPromise();
-        Proof proof{.left = stepsOf(limits, steps)};
-        if (!runToEnds(limits, proof)) return Error{"Cancelled."};
+        Proof proof{.left = stepsOf(scope, steps)};
+        if (!runToEnds(scope, proof)) return Error{"Cancelled."};
         const std::vector<Invertible> singles = all_;
         const auto isOpen = [&] {
             return proof.effect == Effect::None && proof.complete &&
                    proof.left >= kRunsOfPair * steps;
         };
         for (std::size_t i = 0; i < singles.size() && i < kMostFirst && isOpen(); ++i) {
-            if (aim_.following && !runPairs(singles[i], limits, proof)) return Error{"Cancelled."};
+            if (aim_.following && !runPairs(singles[i], scope, proof)) return Error{"Cancelled."};
         }
-        if (proof.effect == Effect::None && !runUndone(limits, proof)) return Error{"Cancelled."};
+        if (proof.effect == Effect::None && !runUndone(scope, proof)) return Error{"Cancelled."};
         if (wasCut) proof.complete = false;
         return proof;
     }
@@ -175,7 +175,7 @@ class Prover {
 
     /// Runs the pairs of an inversion and one of a later decision in the run with it; of an absent
     /// subject, those that show at once. False if cancelled.
-    bool runPairs(const Invertible& first, const ProofLimits& limits, Proof& proof) {
+    bool runPairs(const Invertible& first, const ProofScope& scope, Proof& proof) {
         const Params forked = with(first);
         std::vector<Invertible> pairs;
         for (const FollowingDecision& second : aim_.following(forked, proof.left)) {
@@ -188,7 +188,7 @@ class Prover {
         if (aim_.showsAtOnce)
             std::erase_if(pairs, [](const Invertible& each) { return !each.showsAtOnce; });
         all_ = std::move(pairs);
-        return runToEnds(limits, proof);
+        return runToEnds(scope, proof);
     }
 
     /// Those that show at once first, then that of the cause, then those of the pivot that made the
@@ -207,7 +207,7 @@ class Prover {
 
     /// Runs the inversions that steps after the last pivot undo, each with one of the rules of such
     /// steps off. False if cancelled.
-    bool runUndone(const ProofLimits& limits, Proof& proof) {
+    bool runUndone(const ProofScope& scope, Proof& proof) {
         std::vector<Invertible> undone;
         for (const Invertible& each : undone_) {
             for (const StageRow& stage : stageTable()) {
@@ -219,17 +219,17 @@ class Prover {
             }
         }
         all_ = std::move(undone);
-        return runToEnds(limits, proof);
+        return runToEnds(scope, proof);
     }
 
     /// Runs the inversions up to the first that changes the answer. False if cancelled.
-    bool runToEnds(const ProofLimits& limits, Proof& proof) {
+    bool runToEnds(const ProofScope& scope, Proof& proof) {
         constexpr double kLookShare = 0.3;
         for (const Invertible& each : all_) {
             share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
-                                      static_cast<double>(limits.inversions);
+                                      static_cast<double>(scope.inversions);
             const bool isUndone = each.undoneBy != nullptr;
-            if ((proof.tried == limits.inversions && !isUndone) || proof.left == 0) {
+            if ((proof.tried == scope.inversions && !isUndone) || proof.left == 0) {
                 proof.complete = false;
                 break;
             }
@@ -360,7 +360,7 @@ std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const P
 }
 
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
-                std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
+                std::vector<Invertible> all, const RunLength& length, const ProofScope& scope,
                 Ledger& ledger, const Progress& progress) {
     constexpr double kProofShare = 0.7;
     if (ledger.provedBy != ProvedBy::Nothing) {
@@ -369,12 +369,12 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
     }
     const Result<Proof> proof =
         Prover(points, params, ledger, aim, std::move(all), partOf(progress, 0.0, kProofShare))
-            .run(length.steps, limits);
+            .run(length.steps, scope);
     if (!proof) return proof.error();
     settle(ledger, proof.value());
     if (!aim.findsRule) return success();
-    const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left, ledger,
-                                    partOf(progress, kProofShare, 1.0));
+    const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left,
+                                    scope.preparations, ledger, partOf(progress, kProofShare, 1.0));
     return done ? success() : Status(Error{"Cancelled."});
 }
 

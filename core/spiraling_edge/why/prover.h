@@ -63,6 +63,8 @@ struct ProofAim {
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
     std::function<Effect(const State& end)> effect;
+    /// The same of a rule or a preparation; empty: as `effect`.
+    std::function<Effect(const State& end)> effectOfChange = {};
     /// A rule that changes the answer is looked for as well.
     bool findsRule = true;
 };
@@ -107,7 +109,7 @@ struct RunLength {
 /// and the answer the sentences about it, with the rule that changes it where ProofAim::findsRule
 /// (prevention.h). Requires Ledger::words of the cause so far. Fails if cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
-                std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
+                std::vector<Invertible> all, const RunLength& length, const ProofScope& scope,
                 Ledger& ledger, const Progress& progress);
 
 /// Adds to a ledger, as indirect lines in their order, the tests that made these triangles: those

@@ -15,6 +15,7 @@
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/reconstruct.h"
+#include "spiraling_edge/why/other_preparations.h"
 
 namespace se {
 namespace {
@@ -32,24 +33,12 @@ std::vector<SpecChange> setsOfRules() {
 /// Changes of any input. Points that the doctor would drop come after them, since detail goes with
 /// those.
 std::vector<SpecChange> usualChanges() {
-    constexpr std::pair<std::string_view, std::string_view> kBesides[] = {
-        {"normals", "oriented"},  {"normals", "derived"},    {"rim", "on"},
-        {"neighbors", "10"},      {"neighbors", "16"},       {"neighbors", "8"},
-        {"neighbors", "12"},      {"neighbors", "20"},       {"symmetric", "on"},
-        {"switches", "fill=off"}, {"switches", "shelve=off"}};
-    static_assert(std::size(kBesides) == kUsualChanges);
-    std::vector<SpecChange> changes;
-    for (const auto& each : kBesides) changes.push_back(specChange({{"rules", "robust"}, each}));
+    std::vector<SpecChange> changes = preparationChanges();
+    for (const char* off : {"fill=off", "shelve=off"})
+        changes.push_back(specChange({{"switches", off}}));
+    for (SpecChange& each : changes) each = *bothOf(specChange({{"rules", "robust"}}), each);
+    assert(changes.size() == kUsualChanges);
     return changes;
-}
-
-/// True if a change leaves given normals alone that are right: those that do not fit are derived,
-/// those of which some are flipped turned.
-bool respects(const MeshJudge& judge, const SpecChange& change) {
-    const std::string_view normals = textOf(change, "normals");
-    if (normals.empty()) return true;
-    const bool fit = judge.facts.normalsFit;
-    return normals == "oriented" ? fit && !judge.areRight() : !fit;
 }
 
 /// True for a mesh that no change can improve.
@@ -268,27 +257,6 @@ class TrialSearch {
 
 std::string trialText(const SpecChange& next) {
     return next.empty() ? "measuring the run as given" : "trying " + wordsOf(next);
-}
-
-SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file) {
-    SpecChange left;
-    RunSpec with = spec;
-    // What is derived or searched anyway.
-    if (!file.hasNormals()) with.normals = NormalSource::Derived;
-    if (!file.hasNeighbors()) with.neighbors.recompute = true;
-    for (const FieldValue& each : change) {
-        const RunSpec next = changed(with, {each});
-        const bool present =
-            each.field->type == SpecType::Rule ? differenceOf(with, next).empty() : next == with;
-        // Derived normals are oriented.
-        const bool derived = each.field->key == "normals" && with.normals == NormalSource::Derived;
-        const bool fixed =
-            each.field->key == "doctor" &&
-            std::find(spec.fixes.begin(), spec.fixes.end(), each.text) != spec.fixes.end();
-        if (!present && !derived && !fixed) left.push_back(each);
-        if (each.field->key == "rules") with = next;
-    }
-    return left;
 }
 
 std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b) {

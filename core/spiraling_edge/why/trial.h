@@ -52,8 +52,6 @@ std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before);
 /// compared, in the unit of the points.
 std::string describe(const MeshVerdict& verdict);
 
-/// The part of a change that a run of `spec` over `file` does not have already.
-SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file);
 /// Both changes in one; nothing if they set the same field to two values.
 std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b);
 

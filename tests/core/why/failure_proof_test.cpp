@@ -4,8 +4,10 @@
 #include <map>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/why/prover.h"
+#include "spiraling_edge/why/trial.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/rig.h"
@@ -49,10 +51,9 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
     CAPTURE(ledger.answer);
     REQUIRE(ledger.cause < ledger.lines.size());
     CHECK(!ledger.inversions.empty() == (ledger.provedBy == ProvedBy::Inversion));
-    if (ledger.preventedBy != nullptr) {
-        Params with = params;
-        ledger.preventedBy->turnOn(with);
-        const RunFailureSearch after = failuresIn(points, with);
+    if (ledger.preventedBy) {
+        const RunSpec with = changed(specOf(params), {*ledger.preventedBy});
+        const RunFailureSearch after = failuresIn(points, paramsOf(with).value());
         CHECK_FALSE(has(after.all, failure.failure));
         const MeshVerdict& verdict = after.verdict;
         CHECK(ledger.answer.ends_with(verdict.isSound()
@@ -88,7 +89,7 @@ TEST_CASE("failure proof: nine of ten faults are gone with their decision invert
             const Ledger ledger = proved(points, paper(), found, failure);
             if (!failure.failure.kind->fault) continue;
             ++all;
-            prevented += ledger.preventedBy != nullptr ? 1 : 0;
+            prevented += ledger.preventedBy ? 1 : 0;
             if (ledger.provedBy == ProvedBy::Nothing) continue;
             const bool another = ledger.answer.find("another would") != std::string::npos;
             ++(another ? replaced : gone);
@@ -106,7 +107,7 @@ TEST_CASE("failure proof: a fault that a step after the last pivot made is prove
         const PointSet points = prepared(each.scene.build());
         const RunFailureSearch found = failuresIn(points, robust());
         for (const RunFailure& failure : sampleOf(found, 2)) {
-            const ProofLimits few{2, 0.5};
+            const ProofScope few{2, 0.5};
             const Ledger ledger = provedWhy(points, robust(), failure, found.all, few).value();
             // A lost point may have been made, and removed by such a step.
             if (failure.failure.triangles.empty()) continue;
@@ -163,6 +164,41 @@ TEST_CASE("inverse: a third point of a wall is taken off the list of the pivot")
     CHECK(inverse->pivot == 1);
     CHECK(inverse->point == 0);
     CHECK(inverse->list == Points{1, 3});
+}
+
+TEST_CASE("failure proof: where no rule prevents a fault, lists of another length do") {
+    const PointFile file = findScene("wrong-lists")->build();
+    const RunSpec spec = changed({}, specChange({{"rules", "robust"}}));
+    PointSet points = prepared(file);
+    points.judge = judgeFor(file).value();
+    const RunFailureSearch found = failuresIn(points, robust());
+    REQUIRE_FALSE(found.failures.empty());
+    const RunFailure& hole = found.failures.front();
+    REQUIRE(hole.failure.kind->name == "holes");
+    ProofScope scope;
+    CHECK_FALSE(provedWhy(points, robust(), hole, found.all, scope).value().preventedBy);
+    scope.preparations = otherPreparations(file, spec, points);
+    const Ledger answer = provedWhy(points, robust(), hole, found.all, scope).value();
+    REQUIRE(answer.preventedBy);
+    CHECK(answer.preventedBy->field->key == "neighbors");
+    CAPTURE(answer.answer);
+    const std::string option = "The option --neighbors " + answer.preventedBy->text;
+    CHECK(answer.answer.find(option + " prevents it, and leaves") != std::string::npos);
+    // The mesh of such lists, judged by the points as given.
+    const Trial with = trialOfRun(file, changed(spec, {*answer.preventedBy})).value();
+    CHECK(with.verdict.places < found.verdict.places);
+    // Of those that prevent it, none leaves fewer faults.
+    for (const OtherPreparation& each : scope.preparations) {
+        ProofScope alone;
+        alone.preparations = {each};
+        const Ledger one = provedWhy(points, robust(), hole, found.all, alone).value();
+        if (!one.preventedBy) {
+            CHECK(one.answer.ends_with("None of 1 other preparation prevents it."));
+            continue;
+        }
+        const Trial other = trialOfRun(file, changed(spec, {each.change})).value();
+        CHECK_FALSE(hasFewerFaults(other.verdict, with.verdict));
+    }
 }
 
 TEST_CASE("failure proof: cancelled") {

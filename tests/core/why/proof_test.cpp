@@ -220,7 +220,7 @@ TEST_CASE("proof: a point that no list names is explained by preparation, withou
 TEST_CASE("proof: the limits end the search, and the answer says so") {
     const PointSet points = prepared(findScene("noise")->build());
     const std::vector<Triangle> mesh = runAll(points, robust()).state.mesh();
-    ProofLimits one;
+    ProofScope one;
     one.inversions = 1;
     std::size_t ended = 0;
     for (std::size_t i = 0; i < mesh.size() && ended == 0; i += 7) {

@@ -10,6 +10,7 @@
 
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/why/other_preparations.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
 #include "support/shared_data.h"
@@ -294,6 +295,37 @@ TEST_CASE("trials: each change is shown before it is tried, with the trials so f
     REQUIRE(shown.size() == trials.value().tried.size());
     for (std::size_t i = 0; i < shown.size(); ++i)
         CHECK(trials.value().tried[i].change == shown[i]);
+}
+
+TEST_CASE("trials: other preparations leave the numbers of points, and normals that are right") {
+    const PointFile file = sceneFile("wrong-lists");
+    PointSet points = prepared(file);
+    const auto keys = [&](const RunSpec& spec) {
+        std::vector<std::string> texts;
+        for (const OtherPreparation& each : otherPreparations(file, spec, points)) {
+            texts.push_back(std::string(each.change.field->key) + "=" + each.change.text);
+            const auto other = each.points({});
+            REQUIRE(other);
+            CHECK(other->position == points.position);
+            CHECK_FALSE(each.points([](double) { return false; }));
+        }
+        return texts;
+    };
+    const std::vector<std::string> all{"rim=on",      "neighbors=10", "neighbors=16",
+                                       "neighbors=8", "neighbors=12", "neighbors=20",
+                                       "symmetric=on"};
+    CHECK(keys({}) == all);
+    RunSpec spec;
+    spec.rim = true;
+    CHECK(keys(spec) == std::vector<std::string>(all.begin() + 1, all.end()));
+    // The judge knows that the normals are right.
+    points.judge = judgeFor(file).value();
+    REQUIRE(points.judge->facts.normalsFit);
+    CHECK(keys({}) == all);
+    auto unfit = std::make_shared<MeshJudge>(*points.judge);
+    unfit->facts.normalsFit = false;
+    points.judge = unfit;
+    CHECK(keys({}).front() == "normals=derived");
 }
 
 TEST_CASE("trials: what is so already is no change") {

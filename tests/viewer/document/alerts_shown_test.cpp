@@ -618,9 +618,12 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     const Ledger* answer = app.session.questions().why();
     REQUIRE(answer != nullptr);
     if (!usesThreads()) return;  // There is no proof, and no rule.
-    const RuleSetting* rule = answer->preventedBy;
+    REQUIRE(answer->preventedBy);
+    const FieldValue change = *answer->preventedBy;
+    REQUIRE(change.field->type == SpecType::Rule);
+    const RuleSetting* rule = findRuleSetting(change.text.substr(0, change.text.find('=')));
     REQUIRE(rule != nullptr);
-    showBeside(app.context, *rule);
+    showBeside(app.context, change);
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
     REQUIRE(app.compare.comparison().chosen());
     CHECK(app.compare.comparison().with().run.choices ==
@@ -628,7 +631,7 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     REQUIRE_FALSE(app.session.atEnd());
     const CameraPose camera = app.camera.pose();
     app.ui.frame = FrameRequest::None;  // That of the opening.
-    switchOn(app.context, *rule);
+    runWith(app.context, change);
     app.arrive();
     // Its result is visible: the whole mesh, from the same camera.
     CHECK(app.session.atEnd());
@@ -639,6 +642,30 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     std::vector<MeshFailure> now;
     for (const RunFailure& each : app.session.alerts().failures()) now.push_back(each.failure);
     CHECK_FALSE(isStillThere(failure, now));
+}
+
+TEST_CASE("Where no rule prevents an alert, the preparation that does is tried in the same way") {
+    if (!usesThreads()) return;  // There is no proof.
+    AlertApp app("scene:wrong-lists");
+    app.document.rerun(withSet(app.session.input().spec(), "robust"), Resume::End);
+    app.arrive();
+    REQUIRE_FALSE(app.session.alerts().sound());
+    showPlace(app.context, 0);
+    app.arrive();
+    actions::askWhySelected(app.context);
+    app.session.waitUntilDone();
+    const Ledger* answer = app.session.questions().why();
+    REQUIRE(answer != nullptr);
+    REQUIRE(answer->preventedBy);
+    const FieldValue change = *answer->preventedBy;
+    CHECK(change.field->key == "neighbors");
+    showBeside(app.context, change);
+    CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==
+          wordsOf({change}));
+    runWith(app.context, change);
+    app.arrive();
+    CHECK(app.session.atEnd());
+    CHECK(app.session.alerts().sound());
 }
 
 TEST_CASE("The title of a class is its name in words") {

@@ -54,13 +54,13 @@ TEST_CASE("Alerts: the rule that prevents one is tried beside the run, then in i
     app.reach("region column", "alert why");
     if (!usesThreads()) return;  // There is no proof, and no rule.
     const std::string at = app.address();
-    app.reach("region column", "rule beside");
+    app.reach("region column", "change beside");
     CHECK(app["compare_with"] == "run");
     CHECK(app["compare_done"] == "true");
     CHECK(app.address() == at);
     app.press("Ctrl+D");
     const CameraPose pose = app.pose();
-    app.reach("region column", "rule on");
+    app.reach("region column", "change on");
     CHECK(std::stoi(app["alerts"]) < alerts);
     CHECK(app.session.atEnd());
     CHECK(app.pose() == pose);

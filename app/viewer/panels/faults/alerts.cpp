@@ -1,5 +1,5 @@
 // Failures of the finished run by class. The chosen one shows its three moments, the answer of the
-// ledger about it, and the rule that prevents it. Rows above and below the details are clipped
+// ledger about it, and what prevents it. Rows above and below the details are clipped
 // lists of their own, so that only visible ones cost time.
 #include <imgui.h>
 
@@ -196,7 +196,7 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     const Ledger* answer = questions.isAbout(alert.failure) ? questions.why() : nullptr;
     if (answer != nullptr) {
         dimText(withShortNumbers(answer->answer));
-        if (answer->preventedBy != nullptr) drawPreventing(context, *answer->preventedBy);
+        if (answer->preventedBy) drawPreventing(context, *answer->preventedBy);
     }
     ImGui::Spacing();
 }

@@ -78,7 +78,7 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
                         "Run again with what is said here inverted, as a what-if"))
             return context.document().rerun(inverted);
     }
-    if (ledger.preventedBy != nullptr && drawPreventing(context, *ledger.preventedBy)) return;
+    if (ledger.preventedBy && drawPreventing(context, *ledger.preventedBy)) return;
     const Address& cause = ledger.lines[ledger.cause].event.address;
     if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameRequest::Focus);
     if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));

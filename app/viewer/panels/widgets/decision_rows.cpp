@@ -201,15 +201,20 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
 }
 
-bool drawPreventing(const PanelContext& context, const RuleSetting& rule) {
-    const std::string name(rule.name);
-    const bool on = smallButton(context, "Switch on " + name, "rule on", std::string(rule.summary));
-    if (on) switchOn(context.commands, rule);
+bool drawPreventing(const PanelContext& context, const FieldValue& change) {
+    const RuleSetting* rule = findRuleSetting(change.text.substr(0, change.text.find('=')));
+    const bool again =
+        rule != nullptr
+            ? smallButton(context, "Switch on " + std::string(rule->name), "change on",
+                          std::string(rule->summary))
+            : smallButton(context, "Run with " + wordsOf({change}), "change on",
+                          "Prepare the points so, and run again: " + optionsOf({change}).front());
+    if (again) runWith(context.commands, change);
     ImGui::SameLine();
-    if (smallButton(context, "Compare", "rule beside",
+    if (smallButton(context, "Compare", "change beside",
                     "This run and the one with it side by side, at this position"))
-        showBeside(context.commands, rule);
-    return on;
+        showBeside(context.commands, change);
+    return again;
 }
 
 void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame) {

@@ -49,9 +49,9 @@ class ScrolledBody {
     static constexpr float kLeastBody = 4.0F;
     bool apart_;
 };
-/// Buttons for a rule that prevents what is asked about: to switch it on, and to see the run with
-/// it beside this one. True if it was switched on.
-bool drawPreventing(const PanelContext& context, const RuleSetting& rule);
+/// Buttons for a change that prevents what is asked about: to run again with it, and to see that
+/// run beside this one. True if it runs again.
+bool drawPreventing(const PanelContext& context, const FieldValue& change);
 /// Goes to a decision and frames a selection there.
 void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame);
 /// Progress of a query, with a button that stops it. False if it is not busy.

@@ -1,0 +1,40 @@
+/// Other ways to prepare the points of a run: trials make each of them, and the answer about a
+/// failure names one that prevents it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/spec/spec_fields.h"
+
+namespace se {
+
+/// Changes of normals, rims and lists, one field each, in the order in which they are tried.
+std::vector<SpecChange> preparationChanges();
+
+/// True if a change leaves given normals alone that are right: those that do not fit are derived,
+/// those of which some are flipped turned.
+bool respects(const MeshJudge& judge, const SpecChange& change);
+
+/// The part of a change that a run of `spec` over `file` does not have already.
+SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file);
+
+/// The points of a run, prepared with one field of its spec changed.
+struct OtherPreparation {
+    FieldValue change;
+    /// Nothing if they cannot be prepared so, are fewer or more, or if cancelled.
+    std::function<std::optional<PointSet>(const Progress&)> points;
+};
+
+/// The preparations of preparationChanges() that differ from that of a run of `spec` over `file`,
+/// whose points are `run`, with PrepareOptions::leaveOut. Without a judge, normals stay. `file` and
+/// `run` must outlive them.
+std::vector<OtherPreparation> otherPreparations(const PointFile& file, const RunSpec& spec,
+                                                const PointSet& run,
+                                                const std::vector<Index>& leaveOut = {});
+
+}  // namespace se
