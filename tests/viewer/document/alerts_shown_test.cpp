@@ -661,7 +661,7 @@ TEST_CASE("Where no rule prevents an alert, the preparation that does is tried i
     CHECK(change.field->key == "neighbors");
     showBeside(app.context, change);
     CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==
-          wordsOf({change}));
+          wordsOf(SpecChange{change}));
     runWith(app.context, change);
     app.arrive();
     CHECK(app.session.atEnd());

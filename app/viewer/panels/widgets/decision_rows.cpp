@@ -207,7 +207,7 @@ bool drawPreventing(const PanelContext& context, const FieldValue& change) {
         rule != nullptr
             ? smallButton(context, "Switch on " + std::string(rule->name), "change on",
                           std::string(rule->summary))
-            : smallButton(context, "Run with " + wordsOf({change}), "change on",
+            : smallButton(context, "Run with " + wordsOf(SpecChange{change}), "change on",
                           "Prepare the points so, and run again: " + optionsOf({change}).front());
     if (again) runWith(context.commands, change);
     ImGui::SameLine();
