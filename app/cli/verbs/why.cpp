@@ -224,10 +224,11 @@ ExitCode whyVerb(const Arguments& words) {
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);
     const bool asksFailures = arguments.failures || choice;
-    if (asksFailures) {
-        run.points.judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
+    if (asksFailures || arguments.asksSubject()) {
+        const auto judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
             return judgeFor(file, arguments.input.prepareOptions(file), run.points, progress);
         });
+        run.points.judge = withoutOpeningsToClose(judge, run.params);
     }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty())

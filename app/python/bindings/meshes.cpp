@@ -138,15 +138,6 @@ py::object bestOf(const Input& input, const Words& options, const py::object& pr
     return meshOf(run, progress, tried);
 }
 
-/// The judge of meshes of a run, by what the user has set.
-std::shared_ptr<const MeshJudge> judgeOf(const PreparedRun& run, const Progress& progress) {
-    const Params params = paramsFrom(run.spec);
-    const auto options =
-        require<std::invalid_argument>(prepareOptionsOf(run.named, params, *run.file));
-    auto judge = require<InputError>(judgeFor(*run.file, options, *run.points, progress));
-    return withoutOpeningsToClose(std::move(judge), params);
-}
-
 /// The record Verdict.
 py::object verdictRecord(const JudgedMesh& judged) {
     const MeshVerdict& verdict = judged.verdict;
@@ -246,6 +237,14 @@ py::object preparedAgain(const PreparedRun& run, const Words& options, const py:
 }
 
 }  // namespace
+
+std::shared_ptr<const MeshJudge> judgeOf(const PreparedRun& run, const Progress& progress) {
+    const Params params = paramsFrom(run.spec);
+    const auto options =
+        require<std::invalid_argument>(prepareOptionsOf(run.named, params, *run.file));
+    auto judge = require<InputError>(judgeFor(*run.file, options, *run.points, progress));
+    return withoutOpeningsToClose(std::move(judge), params);
+}
 
 py::object preparedRecord(const SharedRun& run) {
     const PrepareReport& report = run->report;

@@ -11,6 +11,7 @@
 #include "bindings.h"
 #include "calls.h"
 #include "paint/figures.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/run_cursor.h"
 #include "spiraling_edge/why/proof.h"
@@ -165,7 +166,6 @@ class Cursor {
 py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool more,
                  const py::object& report) {
     ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
-    scope.preparations = otherPreparations(*run->file, run->spec, *run->points, run->leaveOut);
     const Params params = possibleParams(*run);
     const Subject subject = points.size() == 1 ? Subject::point(points[0])
                             : points.size() == 2
@@ -173,7 +173,10 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
                                 : Subject::triangle(points.at(0), points.at(1), points.at(2));
     const Ledger ledger =
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
-            return provedWhy(*run->points, params, subject, scope, progress);
+            PointSet judged = *run->points;
+            judged.judge = judgeOf(*run, partOf(progress, 0.0, 0.1));
+            scope.preparations = otherPreparations(*run->file, run->spec, judged, run->leaveOut);
+            return provedWhy(judged, params, subject, scope, partOf(progress, 0.1, 1.0));
         }));
     std::vector<std::string> inversions;
     inversions.reserve(ledger.inversions.size());

@@ -172,9 +172,11 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
     PointSet points = prepared(file);
     points.judge = judgeFor(file).value();
     const RunFailureSearch found = failuresIn(points, robust());
-    REQUIRE_FALSE(found.failures.empty());
-    const RunFailure& hole = found.failures.front();
-    REQUIRE(hole.failure.kind->name == "holes");
+    const auto first =
+        std::find_if(found.failures.begin(), found.failures.end(),
+                     [](const RunFailure& each) { return each.failure.kind->name == "holes"; });
+    REQUIRE(first != found.failures.end());
+    const RunFailure& hole = *first;
     ProofScope scope;
     CHECK_FALSE(provedWhy(points, robust(), hole, found.all, scope).value().preventedBy);
     scope.preparations = otherPreparations(file, spec, points);

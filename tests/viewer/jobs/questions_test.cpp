@@ -27,10 +27,13 @@ using namespace se::view::test;
 namespace {
 
 /// The answer of the library; without threads the window proves nothing.
-Ledger expectedOf(const Model& model, const Subject& subject) {
-    return (usesThreads() ? provedWhy(model.points, model.params, subject)
-                          : why(model.points, model.params, subject))
-        .value();
+Ledger expectedOf(const Session& session, const Subject& subject) {
+    const Model& model = session.model();
+    if (!usesThreads()) return why(model.points, model.params, subject).value();
+    ProofScope scope;
+    scope.preparations =
+        otherPreparations(*session.input().file(), session.input().spec(), model.points);
+    return provedWhy(model.points, model.params, subject, scope).value();
 }
 
 struct QuestionApp {
@@ -79,8 +82,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
     CHECK(app.session().questions().busy());
     const Ledger* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
-    const Model& model = app.session().model();
-    const Ledger expected = expectedOf(model, Subject::point(32));
+    const Ledger expected = expectedOf(app.session(), Subject::point(32));
     CHECK(ledger->answer == expected.answer);
     CHECK(ledger->lines.size() == expected.lines.size());
     CHECK(ledger->cause == expected.cause);
@@ -89,12 +91,11 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
 
 TEST_CASE("The answer about an edge and a triangle is that of the library, with its what-if") {
     QuestionApp app;
-    const Model& model = app.session().model();
     for (const Selection& what : {Selection::ofEdge(32, 99), Selection::ofEdge(0, 1)}) {
         askWhy(app.context, what);
         const Ledger* ledger = app.ledger();
         REQUIRE(ledger != nullptr);
-        const Ledger expected = expectedOf(model, toSubject(what));
+        const Ledger expected = expectedOf(app.session(), toSubject(what));
         CHECK(ledger->answer == expected.answer);
         CHECK(ledger->inversions == expected.inversions);
     }
