@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
