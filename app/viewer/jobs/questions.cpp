@@ -8,7 +8,6 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
-#include "spiraling_edge/why/proof.h"
 #include "thread.h"
 
 namespace se::view {
@@ -41,18 +40,17 @@ bool Questions::busy() const {
     return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
 
-template <typename Prove>
-void Questions::startProof(Prove prove) {
+void Questions::startProof(Proof proof) {
     proof_.cancel();
-    // Without threads the window would wait for the runs. A template, so that proofs are not even
-    // linked there.
-    if constexpr (kHasThreads) {
-        if (!usesThreads()) return;
-        proof_.start([model = model_, file = file_, spec = spec_, prove](const Progress& progress) {
-            const ProofScope scope{.preparations = otherPreparations(*file, spec, model->points)};
-            return prove(*model, scope, progress);
-        });
-    }
+    // Without threads the window waits for the runs; on inputs of this size they take half a
+    // second.
+    constexpr std::size_t kMostAtOnce = 1500;
+    if (!usesThreads() && model_->points.size() > kMostAtOnce) return;
+    proof_.start([model = model_, file = file_, spec = spec_,
+                  proof = std::move(proof)](const Progress& progress) {
+        const ProofScope scope{.preparations = otherPreparations(*file, spec, model->points)};
+        return proof(*model, scope, progress);
+    });
 }
 
 void Questions::askWhy(const Selection& what) {

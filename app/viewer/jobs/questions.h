@@ -15,6 +15,7 @@
 #include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/why/nearest_decisions.h"
+#include "spiraling_edge/why/proof.h"
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
@@ -40,11 +41,12 @@ class Questions {
     bool busy() const;
 
     // Everything below requires a run.
-    /// Starts the query why the selection is in the mesh, or why not, and with threads its proof
-    /// (core's why/proof.h), which takes its place. Requires a selection that is not empty.
+    /// Starts the query why the selection is in the mesh, or why not, and its proof (core's
+    /// why/proof.h), which takes its place; without threads, of small inputs alone. Requires a
+    /// selection that is not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
-    /// Starts the query why a failure is there, one of `known`, and with threads its proof; until
+    /// Starts the query why a failure is there, one of `known`, and its proof, too; until
     /// then its moments are the answer, or the ledger of a lost point. `standIn`: what is selected
     /// for it; empty for a loop.
     void askWhy(const RunFailure& failure, std::vector<MeshFailure> known,
@@ -96,9 +98,10 @@ class Questions {
     std::shared_ptr<const Model> model_;
     std::shared_ptr<const PointFile> file_;  ///< Not null with a model.
     RunSpec spec_;                           ///< Without fixes.
-    /// Starts the search for a proof, where there are threads.
-    template <typename Search>
-    void startProof(Search search);
+    using Proof =
+        std::function<Result<Ledger>(const Model&, const ProofScope&, const Progress& progress)>;
+    /// Starts the search for a proof; without threads, of small inputs alone.
+    void startProof(Proof proof);
 
     Selection subject_;
     std::optional<MeshFailure> failure_;  ///< Of the last query, if it was about one.

@@ -4,7 +4,6 @@
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
 #include "jobs/questions.h"
-#include "jobs/thread.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
 #include "point_files.h"
@@ -593,9 +592,8 @@ TEST_CASE("Why of the fault that is shown is its own story, not that of a point 
         CHECK(app.ui.column.part == kLedgerPart);
         const Ledger* answer = app.session.questions().why();
         REQUIRE(answer != nullptr);
-        if (usesThreads())
-            CHECK(answer->answer ==
-                  provedWhy(model.points, model.params, failure, found.all).value().answer);
+        CHECK(answer->answer ==
+              provedWhy(model.points, model.params, failure, found.all).value().answer);
         const auto at = [&](const LedgerLine& moment) {
             return std::any_of(
                 answer->lines.begin(), answer->lines.end(),
@@ -617,7 +615,6 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     app.session.waitUntilDone();
     const Ledger* answer = app.session.questions().why();
     REQUIRE(answer != nullptr);
-    if (!usesThreads()) return;  // There is no proof, and no rule.
     REQUIRE(answer->preventedBy);
     const FieldValue change = *answer->preventedBy;
     REQUIRE(change.field->type == SpecType::Rule);
@@ -645,7 +642,6 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
 }
 
 TEST_CASE("Where no rule prevents an alert, the preparation that does is tried in the same way") {
-    if (!usesThreads()) return;  // There is no proof.
     AlertApp app("scene:wrong-lists");
     app.document.rerun(withSet(app.session.input().spec(), "robust"), Resume::End);
     app.arrive();

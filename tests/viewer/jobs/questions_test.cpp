@@ -10,7 +10,6 @@
 #include "document/ask_actions.h"
 #include "document/ui_state.h"
 #include "headless_app.h"
-#include "jobs/thread.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
 #include "rows/evidence_rows.h"
@@ -26,10 +25,9 @@ using namespace se::view::test;
 
 namespace {
 
-/// The answer of the library; without threads the window proves nothing.
+/// The answer of the library.
 Ledger expectedOf(const Session& session, const Subject& subject) {
     const Model& model = session.model();
-    if (!usesThreads()) return why(model.points, model.params, subject).value();
     ProofScope scope;
     scope.preparations =
         otherPreparations(*session.input().file(), session.input().spec(), model.points);

@@ -8,8 +8,6 @@
 #include "open_session.h"
 #include "point_files.h"
 
-#include "jobs/thread.h"
-
 using namespace se;
 using namespace se::view;
 using test::differing;
@@ -52,7 +50,6 @@ TEST_CASE("Alerts: the rule that prevents one is tried beside the run, then in i
     app.press("F8");
     const int alerts = std::stoi(app["alerts"]);
     app.reach("region column", "alert why");
-    if (!usesThreads()) return;  // There is no proof, and no rule.
     const std::string at = app.address();
     app.reach("region column", "change beside");
     CHECK(app["compare_with"] == "run");
@@ -182,8 +179,7 @@ TEST_CASE("Ledger: the box takes a query, clicks copy it, go to its cause and to
     CHECK(app["notice"].starts_with("Copied the answer"));
     app.session.waitUntilDone();
     app.clickOn("ledger cause");
-    // Without threads nothing is proved.
-    const std::string cause = usesThreads() ? "71.limits.4" : "73.sort.8";
+    const std::string cause = "71.limits.4";
     CHECK(app.address() == cause);
     app.press("[");
     const std::string here = app.address();
