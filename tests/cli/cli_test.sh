@@ -1493,10 +1493,10 @@ why_proves_the_causes_of_failures() {
     # Of lists that are wrong no rule makes a sound mesh, but others do.
     expect 0 why scene:wrong-lists --rules robust --failure holes
     says out "The option --neighbors 10 prevents it, and leaves a sound mesh."
-    says out "Prepared: --neighbors 10"
+    says out "Change:   --neighbors 10"
     expect 0 run scene:wrong-lists --rules robust --neighbors 10 --check -o other.ply
     expect 0 why scene:wrong-lists --rules robust --failure holes --json
-    says out '"preparation": "--neighbors 10"'
+    says out '"change": "--neighbors 10"'
     expect 2 why scene:torus --failures --more
     says err "--more: needs"
     expect 0 why scene:stranded-point --failures --prove

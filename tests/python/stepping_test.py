@@ -167,8 +167,8 @@ def test_found_decisions_and_reasons_are_those_of_the_command_line(answer):
     theirs = answer("why", "scene:stranded-point", "--point", 32)
     assert ours.sentence == theirs["answer"] and ours.cause == theirs["cause"]
     assert ours.what_if == theirs["what_if"] and ours.proved_by == theirs["proved_by"]
-    assert ours.rule == theirs["rule"] and ours.preparation is None
-    assert se.Run("scene:figure-3").why(point=3).preparation == "neighbors=10"
+    assert ours.change == theirs["change"] == "--rule unblocked=on"
+    assert se.Run("scene:figure-3").why(point=3).change == "--neighbors 10"
     with pytest.raises(ValueError, match="expected one of"):
         run.why(point=1, edge=(1, 2))
     with pytest.raises(ValueError):

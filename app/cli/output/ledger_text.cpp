@@ -86,14 +86,10 @@ Answer answerOf(const Ledger& ledger) {
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
     if (ledger.preventedBy) {
-        const bool isRule = ledger.preventedBy->field->type == SpecType::Rule;
         const std::string option = optionsOf({*ledger.preventedBy}).front();
-        answer.text += (ledger.inversions.empty() ? "\n" : "") +
-                       fmt::format("{:<9} {}\n", isRule ? "Rule:" : "Prepared:", option);
-        if (isRule)
-            answer.json["rule"] = ledger.preventedBy->text;
-        else
-            answer.json["preparation"] = option;
+        answer.text +=
+            (ledger.inversions.empty() ? "\n" : "") + fmt::format("Change:   {}\n", option);
+        answer.json["change"] = option;
     }
     return answer;
 }

@@ -117,10 +117,10 @@ struct WhyArguments {
                    "is proved.");
     }
 
-    /// What proofs try, for the run of a file's points.
+    /// What proofs try, for the run of a file's points, which have a judge where it is needed.
     ProofScope proofScope(const PointFile& file, const PointSet& run) const {
         ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
-        scope.preparations = otherPreparations(file, input.spec(), run);
+        if (run.judge) scope.preparations = otherPreparations(file, input.spec(), *run.judge);
         return scope;
     }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }

@@ -165,7 +165,6 @@ class Cursor {
 /// Why a point, an edge or a triangle is in the mesh of a run or not.
 py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool more,
                  const py::object& report) {
-    ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
     const Params params = possibleParams(*run);
     const Subject subject = points.size() == 1 ? Subject::point(points[0])
                             : points.size() == 2
@@ -175,26 +174,21 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
             PointSet judged = *run->points;
             judged.judge = judgeOf(*run, partOf(progress, 0.0, 0.1));
-            scope.preparations = otherPreparations(*run->file, run->spec, judged, run->leaveOut);
+            ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
+            scope.preparations =
+                otherPreparations(*run->file, run->spec, *judged.judge, run->leaveOut);
             return provedWhy(judged, params, subject, scope, partOf(progress, 0.1, 1.0));
         }));
     std::vector<std::string> inversions;
     inversions.reserve(ledger.inversions.size());
     for (const WhatIf& each : ledger.inversions) inversions.push_back(lineOf(each));
     std::optional<std::string> without;
-    if (ledger.undoneBy != nullptr)
-        without = lineOf(RuleValue{std::string(ledger.undoneBy->name), 0.0});
-    std::optional<std::string> rule;
-    std::optional<std::string> preparation;
-    if (const std::optional<FieldValue>& by = ledger.preventedBy) {
-        if (by->field->type == SpecType::Rule)
-            rule = by->text;
-        else
-            preparation = std::string(by->field->key) + "=" + by->text;
-    }
+    std::optional<std::string> change;
+    if (ledger.undoneBy != nullptr) without = std::string(ledger.undoneBy->name) + "=off";
+    if (ledger.preventedBy) change = optionsOf({*ledger.preventedBy}).front();
     return record("Answer", ledger.name, ledger.present, ledger.answer,
                   toString(ledger.lines[ledger.cause].event.address),
-                  textOf(provedByName(ledger.provedBy)), inversions, without, rule, preparation,
+                  textOf(provedByName(ledger.provedBy)), inversions, without, change,
                   lineList(ledger.lines));
 }
 

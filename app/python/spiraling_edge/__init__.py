@@ -176,8 +176,8 @@ class Found:
 class Answer:
     """Why a subject is in the mesh or not. cause: address of the deciding line; proved_by: "inversion", "step",
     "preparation" or "nothing"; what_if: the lines under which the answer is another; without: "flip=off", the rule that
-    has to be off then as well; rule: "unblocked=on", with which an absent subject is there; preparation: "rim=on", an option of
-    prepare() with which it is; None where there is none."""
+    has to be off then as well; change: "--rule unblocked=on" or "--neighbors 16", the option with which an absent
+    subject is there; None where there is none."""
     subject: str
     present: bool
     sentence: str
@@ -185,8 +185,7 @@ class Answer:
     proved_by: str
     what_if: List[str]
     without: Optional[str]
-    rule: Optional[str]
-    preparation: Optional[str]
+    change: Optional[str]
     lines: List[Line] = field(repr=False)
 
 

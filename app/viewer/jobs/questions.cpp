@@ -17,7 +17,7 @@ void Questions::open(std::shared_ptr<const Model> model, std::shared_ptr<const P
     model_ = std::move(model);
     file_ = std::move(file);
     spec_ = std::move(spec);
-    spec_.neighbors.threads = 1;
+    spec_.neighbors.threads = 1;  // as trials prepare
     subject_ = {};
     failure_.reset();
     subjectName_.clear();
@@ -48,7 +48,8 @@ void Questions::startProof(Proof proof) {
     if (!usesThreads() && model_->points.size() > kMostAtOnce) return;
     proof_.start([model = model_, file = file_, spec = spec_,
                   proof = std::move(proof)](const Progress& progress) {
-        const ProofScope scope{.preparations = otherPreparations(*file, spec, model->points)};
+        const ProofScope scope{.preparations =
+                                   otherPreparations(*file, spec, *model->points.judge)};
         return proof(*model, scope, progress);
     });
 }

@@ -42,13 +42,13 @@ class Questions {
 
     // Everything below requires a run.
     /// Starts the query why the selection is in the mesh, or why not, and its proof (core's
-    /// why/proof.h), which takes its place; without threads, of small inputs alone. Requires a
+    /// why/proof.h), which takes its place; without threads, for small inputs only. Requires a
     /// selection that is not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
-    /// Starts the query why a failure is there, one of `known`, and its proof, too; until
-    /// then its moments are the answer, or the ledger of a lost point. `standIn`: what is selected
-    /// for it; empty for a loop.
+    /// Starts the query why a failure is there, one of `known`, and its proof in the same way.
+    /// Until it is proved its moments are the answer, or the ledger of a lost point. `standIn`:
+    /// what is selected for it; empty for a loop.
     void askWhy(const RunFailure& failure, std::vector<MeshFailure> known,
                 const Selection& standIn);
     /// Repeats the last query of askWhy(). Requires one.
@@ -100,7 +100,7 @@ class Questions {
     RunSpec spec_;                           ///< Without fixes.
     using Proof =
         std::function<Result<Ledger>(const Model&, const ProofScope&, const Progress& progress)>;
-    /// Starts the search for a proof; without threads, of small inputs alone.
+    /// Starts the search for a proof; without threads, for small inputs only.
     void startProof(Proof proof);
 
     Selection subject_;

@@ -33,15 +33,17 @@ RunSpec specOf(const Params& params) {
 }
 
 RunSpec withFixesAsOptions(RunSpec spec) {
+    const bool ownNormals = spec.normals != NormalSource::AsGiven;
+    const bool ownLists = spec.neighbors.recompute;
     for (const std::string& name : std::exchange(spec.fixes, {})) {
         const DoctorCheck* check = findDoctorCheck(name);
         const Fix fix = check != nullptr ? check->fix : Fix::None;
-        if (fix == Fix::Orient) spec.normals = NormalSource::Oriented;
-        if (fix == Fix::Derive) spec.normals = NormalSource::Derived;
+        if (fix == Fix::Orient && !ownNormals) spec.normals = NormalSource::Oriented;
+        if (fix == Fix::Derive && !ownNormals) spec.normals = NormalSource::Derived;
         if (fix == Fix::Symmetric) spec.neighbors.symmetric = true;
         if (fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
         if (fix == Fix::Rim) spec.rim = true;
-        if (fix != Fix::NewLists) continue;
+        if (fix != Fix::NewLists || ownLists) continue;
         spec.neighbors.reach = KNearest{};
         spec.neighbors.recompute = true;
     }

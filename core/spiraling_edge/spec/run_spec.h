@@ -79,8 +79,8 @@ Result<Params> paramsOf(const RunSpec& spec);
 /// The spec of these rules on points in memory.
 RunSpec specOf(const Params& params);
 
-/// `spec` with the options that its fixes choose (Fix::Orient, Walls, ...), and without fixes:
-/// for a file that the fixes which change it were applied to.
+/// `spec` with the options that its fixes choose (Fix::Orient, Walls, ...) where it has none of its
+/// own, and without fixes: for a file that the fixes which change it were applied to.
 RunSpec withFixesAsOptions(RunSpec spec);
 
 /// The options of prepare() for points of `file`, which has the fixes. Fails if the scanner has no

@@ -457,6 +457,11 @@ RunSpec changed(RunSpec spec, const SpecChange& change) {
     return spec;
 }
 
+const RuleSetting* ruleOf(const FieldValue& value) {
+    if (value.field->type != SpecType::Rule) return nullptr;
+    return findRuleSetting(value.text.substr(0, value.text.find('=')));
+}
+
 RunSpec otherRun(RunSpec spec, const SpecChange& change) {
     if (!textOf(change, "rules").empty()) spec.choices.clear();
     return changed(std::move(spec), change);

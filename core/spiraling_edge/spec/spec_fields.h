@@ -74,6 +74,9 @@ struct FieldValue {
 /// Values to set, in the order of the table: a change of a spec, or what was typed.
 using SpecChange = std::vector<FieldValue>;
 
+/// The rule that a value sets; null if it sets something else.
+const RuleSetting* ruleOf(const FieldValue& value);
+
 /// {{"rules", "robust"}, {"neighbors", "10"}}. Requires keys of the table, in its order.
 SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 /// The text that `change` has for a key; empty if it has none.

@@ -110,11 +110,12 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
         aim.effect = [&](const State& end) {
             return effectIn(inspectWithTotals(points, end.mesh()), failure, known);
         };
+    }
+    if (failure.kind->find != nullptr && failure.kind->fault) {
         // An opening in the place of a hole is no fault any more.
         aim.effectOfChange = [&](const State& end) {
             MeshInspection mesh = inspectWithTotals(points, end.mesh());
-            if (failure.kind->fault)
-                std::erase_if(mesh.failures, [](const auto& each) { return !each.kind->fault; });
+            std::erase_if(mesh.failures, [](const auto& each) { return !each.kind->fault; });
             return effectIn(mesh, failure, known);
         };
     }

@@ -1,6 +1,8 @@
 #include "spiraling_edge/why/other_preparations.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "spiraling_edge/mesh/mesh_judge.h"
@@ -8,19 +10,20 @@
 
 namespace se {
 
+namespace {
+
+/// Keys and texts.
+constexpr std::pair<std::string_view, std::string_view> kPreparations[] = {
+    {"normals", "oriented"}, {"normals", "derived"}, {"rim", "on"},
+    {"neighbors", "10"},     {"neighbors", "16"},    {"neighbors", "8"},
+    {"neighbors", "12"},     {"neighbors", "20"},    {"symmetric", "on"}};
+static_assert(std::size(kPreparations) == kPreparationChanges);
+
+}  // namespace
+
 std::vector<SpecChange> preparationChanges() {
     std::vector<SpecChange> changes;
-    for (const auto& [key, text] :
-         std::initializer_list<std::pair<const char*, const char*>>{{"normals", "oriented"},
-                                                                    {"normals", "derived"},
-                                                                    {"rim", "on"},
-                                                                    {"neighbors", "10"},
-                                                                    {"neighbors", "16"},
-                                                                    {"neighbors", "8"},
-                                                                    {"neighbors", "12"},
-                                                                    {"neighbors", "20"},
-                                                                    {"symmetric", "on"}})
-        changes.push_back(specChange({{key, text}}));
+    for (const auto& each : kPreparations) changes.push_back(specChange({each}));
     return changes;
 }
 
@@ -53,15 +56,14 @@ SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const P
 }
 
 std::vector<OtherPreparation> otherPreparations(const PointFile& file, const RunSpec& spec,
-                                                const PointSet& run,
+                                                const MeshJudge& judge,
                                                 const std::vector<Index>& leaveOut) {
     std::vector<OtherPreparation> others;
+    if (!spec.whatIf.empty() || !spec.start.empty()) return others;
     for (const SpecChange& each : preparationChanges()) {
         const SpecChange change = withoutPresent(each, spec, file);
-        const bool keepsNormals =
-            run.judge == nullptr ? textOf(change, "normals").empty() : respects(*run.judge, change);
-        if (change.empty() || !keepsNormals) continue;
-        const auto points = [&file, &run, leaveOut, with = changed(spec, change)](
+        if (change.empty() || !respects(judge, change)) continue;
+        const auto points = [&file, leaveOut, with = changed(spec, change)](
                                 const Progress& progress) -> std::optional<PointSet> {
             const Result<Params> params = paramsOf(with);
             if (!params) return std::nullopt;
@@ -69,7 +71,7 @@ std::vector<OtherPreparation> otherPreparations(const PointFile& file, const Run
             if (!options) return std::nullopt;
             options.value().leaveOut = leaveOut;
             Result<Prepared> made = prepare(file, options.value(), progress);
-            if (!made || made.value().points.size() != run.size()) return std::nullopt;
+            if (!made) return std::nullopt;
             return std::move(made.value().points);
         };
         others.push_back({change.front(), points});

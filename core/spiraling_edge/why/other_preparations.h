@@ -1,5 +1,5 @@
-/// Other ways to prepare the points of a run: trials make each of them, and the answer about a
-/// failure names one that prevents it.
+/// Changes of how the points of a run are prepared: trials make each of them, and the answer about
+/// a failure names one that prevents it.
 #pragma once
 
 #include <functional>
@@ -13,6 +13,8 @@
 
 namespace se {
 
+/// Number of preparationChanges().
+inline constexpr std::size_t kPreparationChanges = 9;
 /// Changes of normals, rims and lists, one field each, in the order in which they are tried.
 std::vector<SpecChange> preparationChanges();
 
@@ -23,18 +25,19 @@ bool respects(const MeshJudge& judge, const SpecChange& change);
 /// The part of a change that a run of `spec` over `file` does not have already.
 SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file);
 
-/// The points of a run, prepared with one field of its spec changed.
+/// The points of a run, prepared with one field of its spec changed. They keep their numbers.
 struct OtherPreparation {
     FieldValue change;
-    /// Nothing if they cannot be prepared so, are fewer or more, or if cancelled.
+    /// Nothing if they cannot be prepared so, or if cancelled.
     std::function<std::optional<PointSet>(const Progress&)> points;
 };
 
 /// The preparations of preparationChanges() that differ from that of a run of `spec` over `file`,
-/// whose points are `run`, with PrepareOptions::leaveOut. Without a judge, normals stay. `file` and
-/// `run` must outlive them.
+/// with PrepareOptions::leaveOut, and leave the normals alone that are right (respects()). None for
+/// what-ifs or a given start, which name decisions and triangles of that run. `file` must outlive
+/// them.
 std::vector<OtherPreparation> otherPreparations(const PointFile& file, const RunSpec& spec,
-                                                const PointSet& run,
+                                                const MeshJudge& judge,
                                                 const std::vector<Index>& leaveOut = {});
 
 }  // namespace se

@@ -64,12 +64,12 @@ class PreventionSearch {
     const MeshVerdict& verdict() const { return verdict_; }
     /// "No single rule of robust, and none of 4 other preparations"; empty if nothing was tried, or
     /// not all for the limit.
-    std::string allTried(std::size_t preparations) const {
+    std::string allTried() const {
         if (left_ == 0) return "";
         const std::string rules = candidates_.empty() ? "" : "No single rule of robust";
-        if (preparations == 0) return rules;
+        if (prepared_ == 0) return rules;
         return (rules.empty() ? "None of " : rules + ", and none of ") +
-               counted(preparations, "other preparation");
+               counted(prepared_, "other preparation");
     }
 
     /// Looks at these pivots, in ascending order, the last of which is that of the run. False if
@@ -95,7 +95,9 @@ class PreventionSearch {
             const std::optional<PointSet> points =
                 each.points([this](double) { return goesOn_(); });
             if (!goesOn_()) return false;
-            if (points && !runWith(each.change, *points, params_)) return false;
+            if (!points) continue;
+            ++prepared_;
+            if (!runWith(each.change, *points, params_)) return false;
         }
         return true;
     }
@@ -153,14 +155,14 @@ class PreventionSearch {
     std::uint64_t left_;
     const GoesOn goesOn_;
     std::vector<Candidate> candidates_;
+    std::size_t prepared_ = 0;  ///< Other preparations that were run.
     std::optional<FieldValue> found_;
     MeshVerdict verdict_;
 };
 
 /// "The rule fill", "The option --derive-rim".
 std::string nameOf(const FieldValue& change) {
-    if (change.field->type == SpecType::Rule)
-        return "The rule " + change.text.substr(0, change.text.find('='));
+    if (const RuleSetting* rule = ruleOf(change)) return "The rule " + std::string(rule->name);
     return "The option " + optionsOf({change}).front();
 }
 
@@ -194,7 +196,7 @@ bool addPrevention(const PointSet& points, const Params& params, std::uint32_t l
             " " + nameOf(*ledger.preventedBy) + does +
             (with.isSound() ? ", and leaves a sound mesh."
                             : ", and leaves faults at " + counted(with.places, "place") + ".");
-    } else if (const std::string tried = search.allTried(preparations.size()); !tried.empty()) {
+    } else if (const std::string tried = search.allTried(); !tried.empty()) {
         ledger.answer += " " + tried + does + ".";
     }
     return true;

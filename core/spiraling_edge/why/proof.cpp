@@ -139,7 +139,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     aim.effect = [&](const State& state) {
         return isInMesh(state.mesh(), subject) == present ? Effect::None : Effect::Changed;
     };
-    aim.findsRule = !present;
+    aim.findsChange = !present;
     const Status done =
         conclude(points, params, aim, std::move(asked.value().all), asked.value().length, scope,
                  ledger, partOf(progress, kLedgerShare, 1.0));

@@ -372,7 +372,7 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
             .run(length.steps, scope);
     if (!proof) return proof.error();
     settle(ledger, proof.value());
-    if (!aim.findsRule) return success();
+    if (!aim.findsChange) return success();
     const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left,
                                     scope.preparations, ledger, partOf(progress, kProofShare, 1.0));
     return done ? success() : Status(Error{"Cancelled."});

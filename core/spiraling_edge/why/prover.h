@@ -65,8 +65,8 @@ struct ProofAim {
     std::function<Effect(const State& end)> effect;
     /// The same of a rule or a preparation; empty: as `effect`.
     std::function<Effect(const State& end)> effectOfChange = {};
-    /// A rule that changes the answer is looked for as well.
-    bool findsRule = true;
+    /// A rule or a preparation that changes the answer is looked for as well.
+    bool findsChange = true;
 };
 
 /// False where a search is to end.
@@ -106,8 +106,9 @@ struct RunLength {
 /// inversions may change it, the second of a decision in the run with the first; they are tried
 /// while the steps of three runs are left. At last, an inversion that steps after the last pivot
 /// undo may change it while the rule of these steps is off. The cause becomes that of the proof,
-/// and the answer the sentences about it, with the rule that changes it where ProofAim::findsRule
-/// (prevention.h). Requires Ledger::words of the cause so far. Fails if cancelled.
+/// and the answer the sentences about it, with the change that prevents it where
+/// ProofAim::findsChange (prevention.h). Requires Ledger::words of the cause so far. Fails if
+/// cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
                 std::vector<Invertible> all, const RunLength& length, const ProofScope& scope,
                 Ledger& ledger, const Progress& progress);

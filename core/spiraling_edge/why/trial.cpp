@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::size_t kMaxTriedDrops = 3;  ///< Findings of the doctor that are tried.
 constexpr std::size_t kMaxTriedPairs = 3;  ///< Pairs of the best changes.
-constexpr std::size_t kUsualChanges = 11;
+constexpr std::string_view kSwitchedOff[] = {"fill=off", "shelve=off"};
+constexpr std::size_t kUsualChanges = kPreparationChanges + std::size(kSwitchedOff);
 static_assert(1 + 2 + kMaxTriedDrops + kUsualChanges + kMaxTriedPairs <= kMaxTrials);
 
 /// Changes of the rules alone, in the order in which they are tried.
@@ -34,10 +35,9 @@ std::vector<SpecChange> setsOfRules() {
 /// those.
 std::vector<SpecChange> usualChanges() {
     std::vector<SpecChange> changes = preparationChanges();
-    for (const char* off : {"fill=off", "shelve=off"})
+    for (const std::string_view off : kSwitchedOff)
         changes.push_back(specChange({{"switches", off}}));
     for (SpecChange& each : changes) each = *bothOf(specChange({{"rules", "robust"}}), each);
-    assert(changes.size() == kUsualChanges);
     return changes;
 }
 

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "spiraling_edge/base/counted.h"
@@ -179,16 +180,31 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
     const RunFailure& hole = *first;
     ProofScope scope;
     CHECK_FALSE(provedWhy(points, robust(), hole, found.all, scope).value().preventedBy);
-    scope.preparations = otherPreparations(file, spec, points);
+    scope.preparations = otherPreparations(file, spec, *points.judge);
     const Ledger answer = provedWhy(points, robust(), hole, found.all, scope).value();
     REQUIRE(answer.preventedBy);
     CHECK(answer.preventedBy->field->key == "neighbors");
     CAPTURE(answer.answer);
-    const std::string option = "The option --neighbors " + answer.preventedBy->text;
-    CHECK(answer.answer.find(option + " prevents it, and leaves") != std::string::npos);
     // The mesh of such lists, judged by the points as given.
     const Trial with = trialOfRun(file, changed(spec, {*answer.preventedBy})).value();
-    CHECK(with.verdict.places < found.verdict.places);
+    CHECK(answer.answer.ends_with(
+        "The option --neighbors " + answer.preventedBy->text + " prevents it, and leaves " +
+        (with.verdict.isSound() ? "a sound mesh."
+                                : "faults at " + counted(with.verdict.places, "place") + ".")));
+    // A preparation takes steps, and can be cancelled.
+    ProofScope few = scope;
+    few.runs = 0.0;
+    few.inversions = 0;
+    CHECK(provedWhy(points, robust(), hole, found.all, few).value().preventedBy);
+    std::size_t prepared = 0;
+    few.preparations = {{scope.preparations.front().change, [&](const Progress& progress) {
+                             ++prepared;
+                             CHECK(progress(0.0));
+                             return std::optional<PointSet>();
+                         }}};
+    const Ledger none = provedWhy(points, robust(), hole, found.all, few).value();
+    CHECK(prepared == 1);
+    CHECK(none.answer.find("preparation") == std::string::npos);
     // Of those that prevent it, none leaves fewer faults.
     for (const OtherPreparation& each : scope.preparations) {
         ProofScope alone;
@@ -201,6 +217,35 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
         const Trial other = trialOfRun(file, changed(spec, {each.change})).value();
         CHECK_FALSE(hasFewerFaults(other.verdict, with.verdict));
     }
+}
+
+TEST_CASE("failure proof: an opening in the place of a hole is no fault") {
+    PointFile file;
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 10; ++x) {
+            file.position.emplace_back(x + 0.1 * std::sin(3.0 * y), y + 0.1 * std::sin(5.0 * x),
+                                       0.0);
+            file.normal.emplace_back(0.0, 0.0, 1.0);
+        }
+    }
+    PointSet points = prepared(file);
+    points.judge = judgeFor(file).value();
+    const RunFailureSearch found = failuresIn(points, robust());
+    const auto opening =
+        std::find_if(found.failures.begin(), found.failures.end(),
+                     [](const RunFailure& each) { return each.failure.kind->name == "openings"; });
+    REQUIRE(opening != found.failures.end());
+    // Taken for a hole, it is gone in a mesh that has the opening alone.
+    RunFailure hole = *opening;
+    hole.failure.kind = findFailureClass("holes");
+    ProofScope scope;
+    const SpecChange rim = specChange({{"rim", "on"}});
+    scope.preparations = {
+        {rim.front(), [&](const Progress&) { return std::optional(prepared(file)); }}};
+    const Ledger answer = provedWhy(points, robust(), hole, found.all, scope).value();
+    CHECK(answer.answer.ends_with("The option --derive-rim prevents it, and leaves a sound mesh."));
+    // As an opening it is still there.
+    CHECK_FALSE(provedWhy(points, robust(), *opening, found.all, scope).value().preventedBy);
 }
 
 TEST_CASE("failure proof: cancelled") {

@@ -299,10 +299,12 @@ TEST_CASE("trials: each change is shown before it is tried, with the trials so f
 
 TEST_CASE("trials: other preparations leave the numbers of points, and normals that are right") {
     const PointFile file = sceneFile("wrong-lists");
-    PointSet points = prepared(file);
-    const auto keys = [&](const RunSpec& spec) {
+    const PointSet points = prepared(file);
+    const auto judge = judgeFor(file).value();
+    REQUIRE(judge->facts.normalsFit);
+    const auto keys = [&](const RunSpec& spec, const MeshJudge& by) {
         std::vector<std::string> texts;
-        for (const OtherPreparation& each : otherPreparations(file, spec, points)) {
+        for (const OtherPreparation& each : otherPreparations(file, spec, by)) {
             texts.push_back(std::string(each.change.field->key) + "=" + each.change.text);
             const auto other = each.points({});
             REQUIRE(other);
@@ -314,18 +316,16 @@ TEST_CASE("trials: other preparations leave the numbers of points, and normals t
     const std::vector<std::string> all{"rim=on",      "neighbors=10", "neighbors=16",
                                        "neighbors=8", "neighbors=12", "neighbors=20",
                                        "symmetric=on"};
-    CHECK(keys({}) == all);
+    CHECK(keys({}, *judge) == all);
     RunSpec spec;
     spec.rim = true;
-    CHECK(keys(spec) == std::vector<std::string>(all.begin() + 1, all.end()));
-    // The judge knows that the normals are right.
-    points.judge = judgeFor(file).value();
-    REQUIRE(points.judge->facts.normalsFit);
-    CHECK(keys({}) == all);
-    auto unfit = std::make_shared<MeshJudge>(*points.judge);
-    unfit->facts.normalsFit = false;
-    points.judge = unfit;
-    CHECK(keys({}).front() == "normals=derived");
+    CHECK(keys(spec, *judge) == std::vector<std::string>(all.begin() + 1, all.end()));
+    MeshJudge unfit = *judge;
+    unfit.facts.normalsFit = false;
+    CHECK(keys({}, unfit).front() == "normals=derived");
+    // What-ifs name decisions of the run as it is prepared.
+    spec.whatIf.push_back(whatIfFromText("5.sphere drop 7").value());
+    CHECK(keys(spec, *judge).empty());
 }
 
 TEST_CASE("trials: what is so already is no change") {

@@ -617,8 +617,7 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     REQUIRE(answer != nullptr);
     REQUIRE(answer->preventedBy);
     const FieldValue change = *answer->preventedBy;
-    REQUIRE(change.field->type == SpecType::Rule);
-    const RuleSetting* rule = findRuleSetting(change.text.substr(0, change.text.find('=')));
+    const RuleSetting* rule = ruleOf(change);
     REQUIRE(rule != nullptr);
     showBeside(app.context, change);
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);

@@ -30,7 +30,7 @@ Ledger expectedOf(const Session& session, const Subject& subject) {
     const Model& model = session.model();
     ProofScope scope;
     scope.preparations =
-        otherPreparations(*session.input().file(), session.input().spec(), model.points);
+        otherPreparations(*session.input().file(), session.input().spec(), *model.points.judge);
     return provedWhy(model.points, model.params, subject, scope).value();
 }
 

@@ -202,7 +202,7 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
 }
 
 bool drawPreventing(const PanelContext& context, const FieldValue& change) {
-    const RuleSetting* rule = findRuleSetting(change.text.substr(0, change.text.find('=')));
+    const RuleSetting* rule = ruleOf(change);
     const bool again =
         rule != nullptr
             ? smallButton(context, "Switch on " + std::string(rule->name), "change on",
