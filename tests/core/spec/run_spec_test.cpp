@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/spec_fields.h"
 
@@ -84,6 +85,18 @@ TEST_CASE("spec: fixes that change no point become options") {
     CHECK(with.fixes.empty());
     CHECK(with.normals == NormalSource::Oriented);
     CHECK(with.rim);
+}
+
+TEST_CASE("spec: options of the user come before those of fixes") {
+    RunSpec spec = changed({}, specChange({{"normals", "derived"}, {"neighbors", "10"}}));
+    for (const DoctorCheck& check : doctorChecks()) {
+        if (check.fix == Fix::Orient || check.fix == Fix::NewLists)
+            spec.fixes.emplace_back(check.name);
+    }
+    REQUIRE(spec.fixes.size() >= 2);
+    const RunSpec with = withFixesAsOptions(spec);
+    spec.fixes.clear();
+    CHECK(with == spec);
 }
 
 TEST_CASE("spec: normals of the file cannot face a scanner") {
