@@ -117,11 +117,25 @@ struct WhyArguments {
                    "is proved.");
     }
 
-    /// What proofs try, for the run of a file's points, which have a judge where it is needed.
-    ProofScope proofScope(const PointFile& file, const PointSet& run) const {
+    /// What proofs try, for the run of a file's points; both must outlive it.
+    ProofScope proofScope(const PointFile& file, const PreparedInput& run) const {
         ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
-        if (run.judge) scope.preparations = otherPreparations(file, input.spec(), *run.judge);
+        scope.alternatives = [&](const Progress& progress) -> Result<Alternatives> {
+            const auto judge = judgeOf(file, run, progress);
+            if (!judge) return judge.error();
+            return Alternatives{judge.value(),
+                                otherPreparations(file, input.spec(), *judge.value())};
+        };
         return scope;
+    }
+    /// The judge of the meshes of a run, once.
+    Result<std::shared_ptr<const MeshJudge>> judgeOf(const PointFile& file,
+                                                     const PreparedInput& run,
+                                                     const Progress& progress) const {
+        if (run.points.judge) return run.points.judge;
+        const auto judge = judgeFor(file, input.prepareOptions(file), run.points, progress);
+        if (!judge) return judge.error();
+        return withoutOpeningsToClose(judge.value(), run.params);
     }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
     /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().
@@ -224,16 +238,15 @@ ExitCode whyVerb(const Arguments& words) {
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);
     const bool asksFailures = arguments.failures || choice;
-    if (asksFailures || arguments.asksSubject()) {
-        const auto judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
-            return judgeFor(file, arguments.input.prepareOptions(file), run.points, progress);
+    if (asksFailures) {
+        run.points.judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
+            return arguments.judgeOf(file, run, progress);
         });
-        run.points.judge = withoutOpeningsToClose(judge, run.params);
     }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty())
         throw Failure(ExitCode::Input, "{}: {}", arguments.input.input(), missing);
-    const ProofScope scope = arguments.proofScope(file, run.points);
+    const ProofScope scope = arguments.proofScope(file, run);
     const Answer answer = asksFailures ? askFailures(arguments, choice, run, scope, line)
                                        : askRun(arguments, ring, query, run, scope, line);
     Json json{{"input", arguments.input.input()}};

@@ -11,7 +11,6 @@
 #include "bindings.h"
 #include "calls.h"
 #include "paint/figures.h"
-#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/run_cursor.h"
 #include "spiraling_edge/why/proof.h"
@@ -172,12 +171,13 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
                                 : Subject::triangle(points.at(0), points.at(1), points.at(2));
     const Ledger ledger =
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
-            PointSet judged = *run->points;
-            judged.judge = judgeOf(*run, partOf(progress, 0.0, 0.1));
             ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
-            scope.preparations =
-                otherPreparations(*run->file, run->spec, *judged.judge, run->leaveOut);
-            return provedWhy(judged, params, subject, scope, partOf(progress, 0.1, 1.0));
+            scope.alternatives = [&](const Progress& part) -> Result<Alternatives> {
+                const auto judge = judgeOf(*run, part);
+                return Alternatives{
+                    judge, otherPreparations(*run->file, run->spec, *judge, run->leaveOut)};
+            };
+            return provedWhy(*run->points, params, subject, scope, progress);
         }));
     std::vector<std::string> inversions;
     inversions.reserve(ledger.inversions.size());

@@ -48,8 +48,11 @@ void Questions::startProof(Proof proof) {
     if (!usesThreads() && model_->points.size() > kMostAtOnce) return;
     proof_.start([model = model_, file = file_, spec = spec_,
                   proof = std::move(proof)](const Progress& progress) {
-        const ProofScope scope{.preparations =
-                                   otherPreparations(*file, spec, *model->points.judge)};
+        ProofScope scope;
+        scope.alternatives = [&](const Progress&) -> Result<Alternatives> {
+            return Alternatives{model->points.judge,
+                                otherPreparations(*file, spec, *model->points.judge)};
+        };
         return proof(*model, scope, progress);
     });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct OtherPreparation {
     FieldValue change;
     /// Nothing if they cannot be prepared so, or if cancelled.
     std::function<std::optional<PointSet>(const Progress&)> points;
+};
+
+/// What else a run could have been made of, and the judge of its meshes.
+struct Alternatives {
+    std::shared_ptr<const MeshJudge> judge;
+    std::vector<OtherPreparation> preparations;
 };
 
 /// The preparations of preparationChanges() that differ from that of a run of `spec` over `file`,

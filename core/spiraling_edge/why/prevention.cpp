@@ -4,10 +4,14 @@
 #include "spiraling_edge/why/prevention.h"
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/stepper/stepper.h"
 
@@ -50,8 +54,10 @@ ProofAim aimOfChange(ProofAim aim) {
 class PreventionSearch {
   public:
     PreventionSearch(const PointSet& points, const Params& params, const ProofAim& aim,
-                     std::uint64_t left, const Progress& progress)
+                     std::uint64_t left, std::shared_ptr<const MeshJudge> judge,
+                     const Progress& progress)
         : points_(points),
+          judge_(std::move(judge)),
           params_(params),
           aim_(aimOfChange(aim)),
           left_(left),
@@ -111,11 +117,18 @@ class PreventionSearch {
         const auto effect = effectOfRun(whole, points_, aim_, left_, goesOn_);
         if (!effect) return false;
         if (*effect != Effect::Changed) return true;
-        const MeshVerdict verdict = judgeMesh(points_, whole.state().mesh()).verdict;
+        const MeshVerdict verdict = verdictOn(whole.state().mesh());
         if (found_ && !hasFewerFaults(verdict, verdict_)) return true;
         found_ = change;
         verdict_ = verdict;
         return true;
+    }
+
+    MeshVerdict verdictOn(std::span<const Triangle> mesh) const {
+        if (!judge_ || judge_ == points_.judge) return judgeMesh(points_, mesh).verdict;
+        PointSet judged = points_;
+        judged.judge = judge_;
+        return judgeMesh(judged, mesh).verdict;
     }
 
     /// Finds the rules that decide otherwise. False if cancelled.
@@ -150,6 +163,7 @@ class PreventionSearch {
     }
 
     const PointSet& points_;
+    const std::shared_ptr<const MeshJudge> judge_;
     const Params& params_;
     const ProofAim aim_;
     std::uint64_t left_;
@@ -181,13 +195,20 @@ std::vector<std::uint32_t> placesOf(const Ledger& ledger, std::uint32_t last) {
 
 }  // namespace
 
-bool addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
-                   const ProofAim& aim, std::uint64_t left,
-                   std::span<const OtherPreparation> preparations, Ledger& ledger,
-                   const Progress& progress) {
-    PreventionSearch search(points, params, aim, left, progress);
-    if (!search.runRules(placesOf(ledger, last))) return false;
-    if (!search.found() && !search.runPreparations(preparations)) return false;
+Status addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
+                     const ProofAim& aim, std::uint64_t left, const ProofScope& scope,
+                     Ledger& ledger, const Progress& progress) {
+    if (left == 0) return success();
+    Alternatives alternatives;
+    if (scope.alternatives) {
+        Result<Alternatives> found = scope.alternatives(partOf(progress, 0.0, 0.1));
+        if (!found) return found.error();
+        alternatives = std::move(found.value());
+    }
+    PreventionSearch search(points, params, aim, left, alternatives.judge, progress);
+    const bool goneOn = search.runRules(placesOf(ledger, last)) &&
+                        (search.found() || search.runPreparations(alternatives.preparations));
+    if (!goneOn) return Error{"Cancelled."};
     ledger.preventedBy = search.found();
     const std::string does = ledger.present ? " prevents it" : " brings it in";
     if (ledger.preventedBy) {
@@ -199,7 +220,7 @@ bool addPrevention(const PointSet& points, const Params& params, std::uint32_t l
     } else if (const std::string tried = search.allTried(); !tried.empty()) {
         ledger.answer += " " + tried + does + ".";
     }
-    return true;
+    return success();
 }
 
 }  // namespace se

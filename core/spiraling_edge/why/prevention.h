@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "spiraling_edge/why/prover.h"
 
@@ -14,12 +13,11 @@ namespace se {
 /// `robust` that are off are run one at a time: first those that decide otherwise in a step at the
 /// pivots of the cause and of the triangles in question, or after `last`, the number of the last
 /// pivot of the run; where none changes the answer, the preparations. Of those that change it the
-/// one with the fewest faults is taken (hasFewerFaults()): all are judged by `points`. At most
-/// `left` steps; where they do not last for any that changes it, nothing is said. False if
-/// cancelled. Deterministic.
-bool addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
-                   const ProofAim& aim, std::uint64_t left,
-                   std::span<const OtherPreparation> preparations, Ledger& ledger,
-                   const Progress& progress);
+/// one with the fewest faults is taken (hasFewerFaults()): all are judged in the same way. At most
+/// `left` steps; where they do not last for any that changes it, nothing is said. Fails if
+/// cancelled, or as ProofScope::alternatives does. Deterministic.
+Status addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
+                     const ProofAim& aim, std::uint64_t left, const ProofScope& scope,
+                     Ledger& ledger, const Progress& progress);
 
 }  // namespace se

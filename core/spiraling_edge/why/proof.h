@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,9 @@ struct ProofScope {
     std::size_t inversions = 20;  ///< That are run to the end.
     /// Steps of all inversions, in runs; at least kLeastProofSteps in any case.
     double runs = 3.0;
-    /// Tried where no rule changes the answer.
-    std::vector<OtherPreparation> preparations = {};
+    /// Found when a change is looked for that prevents the answer. Preparations are tried where no
+    /// rule does; without a judge meshes are judged as by PointSet::judge. May be empty.
+    std::function<Result<Alternatives>(const Progress&)> alternatives = {};
 };
 inline constexpr std::uint64_t kLeastProofSteps = 500'000;
 

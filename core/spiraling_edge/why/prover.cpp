@@ -373,9 +373,8 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
     if (!proof) return proof.error();
     settle(ledger, proof.value());
     if (!aim.findsChange) return success();
-    const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left,
-                                    scope.preparations, ledger, partOf(progress, kProofShare, 1.0));
-    return done ? success() : Status(Error{"Cancelled."});
+    return addPrevention(points, params, length.pivots, aim, proof.value().left, scope, ledger,
+                         partOf(progress, kProofShare, 1.0));
 }
 
 bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,

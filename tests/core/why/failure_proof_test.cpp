@@ -42,6 +42,15 @@ bool has(const std::vector<MeshFailure>& all, const MeshFailure& failure) {
     });
 }
 
+/// With these preparations, judged as the run is.
+ProofScope scopeOf(const std::vector<OtherPreparation>& preparations) {
+    ProofScope scope;
+    scope.alternatives = [=](const Progress&) -> Result<Alternatives> {
+        return Alternatives{nullptr, preparations};
+    };
+    return scope;
+}
+
 /// The answer about a failure. If an inversion proves it, the failure is not in the run with it,
 /// and a new one in its place only if the answer says so.
 Ledger proved(const PointSet& points, const Params& params, const RunFailureSearch& found,
@@ -178,9 +187,9 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
                      [](const RunFailure& each) { return each.failure.kind->name == "holes"; });
     REQUIRE(first != found.failures.end());
     const RunFailure& hole = *first;
-    ProofScope scope;
-    CHECK_FALSE(provedWhy(points, robust(), hole, found.all, scope).value().preventedBy);
-    scope.preparations = otherPreparations(file, spec, *points.judge);
+    CHECK_FALSE(provedWhy(points, robust(), hole, found.all).value().preventedBy);
+    const auto others = otherPreparations(file, spec, *points.judge);
+    const ProofScope scope = scopeOf(others);
     const Ledger answer = provedWhy(points, robust(), hole, found.all, scope).value();
     REQUIRE(answer.preventedBy);
     CHECK(answer.preventedBy->field->key == "neighbors");
@@ -197,18 +206,19 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
     few.inversions = 0;
     CHECK(provedWhy(points, robust(), hole, found.all, few).value().preventedBy);
     std::size_t prepared = 0;
-    few.preparations = {{scope.preparations.front().change, [&](const Progress& progress) {
-                             ++prepared;
-                             CHECK(progress(0.0));
-                             return std::optional<PointSet>();
-                         }}};
+    few.alternatives = scopeOf({{others.front().change,
+                                 [&](const Progress& progress) {
+                                     ++prepared;
+                                     CHECK(progress(0.0));
+                                     return std::optional<PointSet>();
+                                 }}})
+                           .alternatives;
     const Ledger none = provedWhy(points, robust(), hole, found.all, few).value();
     CHECK(prepared == 1);
     CHECK(none.answer.find("preparation") == std::string::npos);
     // Of those that prevent it, none leaves fewer faults.
-    for (const OtherPreparation& each : scope.preparations) {
-        ProofScope alone;
-        alone.preparations = {each};
+    for (const OtherPreparation& each : others) {
+        const ProofScope alone = scopeOf({each});
         const Ledger one = provedWhy(points, robust(), hole, found.all, alone).value();
         if (!one.preventedBy) {
             CHECK(one.answer.ends_with("None of 1 other preparation prevents it."));
@@ -239,10 +249,9 @@ TEST_CASE("failure proof: an opening in the place of a hole is no fault") {
     RunFailure hole = *opening;
     hole.failure.kind = findFailureClass("holes");
     const std::vector<MeshFailure> known{hole.failure};
-    ProofScope scope;
     const SpecChange rim = specChange({{"rim", "on"}});
-    scope.preparations = {
-        {rim.front(), [&](const Progress&) { return std::optional(prepared(file)); }}};
+    const ProofScope scope =
+        scopeOf({{rim.front(), [&](const Progress&) { return std::optional(prepared(file)); }}});
     const Ledger answer = provedWhy(points, robust(), hole, known, scope).value();
     CHECK(answer.answer.ends_with("The option --derive-rim prevents it, and leaves a sound mesh."));
     // As an opening it is still there.
