@@ -207,8 +207,9 @@ bool drawPreventing(const PanelContext& context, const FieldValue& change) {
         rule != nullptr
             ? smallButton(context, "Switch on " + std::string(rule->name), "change on",
                           std::string(rule->summary))
-            : smallButton(context, "Run with " + wordsOf(SpecChange{change}), "change on",
-                          "Prepare the points so, and run again: " + optionsOf({change}).front());
+            : smallButton(
+                  context, "Run with " + wordsOf(SpecChange{change}), "change on",
+                  "Prepare the points so, and run again: " + optionsOf(SpecChange{change}).front());
     if (again) runWith(context.commands, change);
     ImGui::SameLine();
     if (smallButton(context, "Compare", "change beside",
