@@ -174,6 +174,11 @@ TEST_CASE("the checks of meshes agree with CGAL's") {
         const Verdict ours = ourVerdict(mesh);
         const Verdict theirs = verdictOfCgal(mesh);
         CHECK(ours.manifold == theirs.manifold);
+        // CGAL requires that no triangle is degenerate, and says that such a one intersects itself.
+        const bool degenerate = std::any_of(
+            mesh.triangles.begin(), mesh.triangles.end(),
+            [&](const se::Triangle& t) { return triangleOf(mesh.points, t).is_degenerate(); });
+        if (degenerate) continue;
         CHECK(ours.intersecting == theirs.intersecting);
         manifold += theirs.manifold ? 1 : 0;
         intersecting += theirs.intersecting ? 1 : 0;
