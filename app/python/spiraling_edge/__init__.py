@@ -175,9 +175,8 @@ class Found:
 @dataclass(frozen=True)
 class Answer:
     """Why a subject is in the mesh or not. cause: address of the deciding line; proved_by: "inversion", "step",
-    "preparation" or "nothing"; what_if: the lines under which the answer is another; without: "flip=off", the rule that
-    has to be off then as well; change: "--rule unblocked=on" or "--neighbors 16", the option with which an absent
-    subject is there; None where there is none."""
+    "preparation" or "nothing"; what_if: the lines under which the answer is another; without: "flip=off", a rule that
+    is off then as well; change: "--neighbors 16", an option that brings an absent subject in; None: there is none."""
     subject: str
     present: bool
     sentence: str
