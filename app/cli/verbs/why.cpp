@@ -117,14 +117,13 @@ struct WhyArguments {
                    "is proved.");
     }
 
-    /// What proofs try, for the run of a file's points; both must outlive it.
+    /// The scope of proofs for the run of a file's points; both must outlive it.
     ProofScope proofScope(const PointFile& file, const PreparedInput& run) const {
         ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
         scope.alternatives = [&](const Progress& progress) -> Result<Alternatives> {
             const auto judge = judgeOf(file, run, progress);
             if (!judge) return judge.error();
-            return Alternatives{judge.value(),
-                                otherPreparations(file, input.spec(), *judge.value())};
+            return alternativesOf(file, input.spec(), judge.value());
         };
         return scope;
     }

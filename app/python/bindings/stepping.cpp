@@ -173,9 +173,7 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
             ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
             scope.alternatives = [&](const Progress& part) -> Result<Alternatives> {
-                const auto judge = judgeOf(*run, part);
-                return Alternatives{
-                    judge, otherPreparations(*run->file, run->spec, *judge, run->leaveOut)};
+                return alternativesOf(*run->file, run->spec, judgeOf(*run, part), run->leaveOut);
             };
             return provedWhy(*run->points, params, subject, scope, progress);
         }));

@@ -50,8 +50,7 @@ void Questions::startProof(Proof proof) {
                   proof = std::move(proof)](const Progress& progress) {
         ProofScope scope;
         scope.alternatives = [&](const Progress&) -> Result<Alternatives> {
-            return Alternatives{model->points.judge,
-                                otherPreparations(*file, spec, *model->points.judge)};
+            return alternativesOf(*file, spec, model->points.judge);
         };
         return proof(*model, scope, progress);
     });

@@ -111,7 +111,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
             return effectIn(inspectWithTotals(points, end.mesh()), failure, known);
         };
     }
-    if (failure.kind->find != nullptr && failure.kind->fault) {
+    if (aim.rings == nullptr && failure.kind->fault) {
         // An opening in the place of a hole is no fault any more.
         aim.effectOfChange = [&](const State& end) {
             MeshInspection mesh = inspectWithTotals(points, end.mesh());

@@ -79,4 +79,11 @@ std::vector<OtherPreparation> otherPreparations(const PointFile& file, const Run
     return others;
 }
 
+Alternatives alternativesOf(const PointFile& file, const RunSpec& spec,
+                            std::shared_ptr<const MeshJudge> judge,
+                            const std::vector<Index>& leaveOut) {
+    std::vector<OtherPreparation> others = otherPreparations(file, spec, *judge, leaveOut);
+    return {std::move(judge), std::move(others)};
+}
+
 }  // namespace se

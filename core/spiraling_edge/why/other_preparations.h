@@ -33,7 +33,7 @@ struct OtherPreparation {
     std::function<std::optional<PointSet>(const Progress&)> points;
 };
 
-/// What else a run could have been made of, and the judge of its meshes.
+/// Other preparations of the points of a run, and the judge of the meshes of all.
 struct Alternatives {
     std::shared_ptr<const MeshJudge> judge;
     std::vector<OtherPreparation> preparations;
@@ -46,5 +46,9 @@ struct Alternatives {
 std::vector<OtherPreparation> otherPreparations(const PointFile& file, const RunSpec& spec,
                                                 const MeshJudge& judge,
                                                 const std::vector<Index>& leaveOut = {});
+/// These preparations with that judge, which is not null.
+Alternatives alternativesOf(const PointFile& file, const RunSpec& spec,
+                            std::shared_ptr<const MeshJudge> judge,
+                            const std::vector<Index>& leaveOut = {});
 
 }  // namespace se

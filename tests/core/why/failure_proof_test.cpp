@@ -42,6 +42,15 @@ bool has(const std::vector<MeshFailure>& all, const MeshFailure& failure) {
     });
 }
 
+/// The first failure of a class. Requires one.
+const RunFailure& firstOf(const RunFailureSearch& found, std::string_view name) {
+    const auto first =
+        std::find_if(found.failures.begin(), found.failures.end(),
+                     [&](const RunFailure& each) { return each.failure.kind->name == name; });
+    REQUIRE(first != found.failures.end());
+    return *first;
+}
+
 /// With these preparations, judged as the run is.
 ProofScope scopeOf(const std::vector<OtherPreparation>& preparations) {
     ProofScope scope;
@@ -132,12 +141,9 @@ TEST_CASE("failure proof: a fault that a step after the last pivot made is prove
 TEST_CASE("failure proof: a lost point has the answer of the point") {
     const PointSet points = prepared(findScene("stranded-point")->build());
     const RunFailureSearch found = failuresIn(points, paper());
-    const auto lost = std::find_if(
-        found.failures.begin(), found.failures.end(),
-        [](const RunFailure& each) { return each.failure.kind->name == "lost_points"; });
-    REQUIRE(lost != found.failures.end());
-    const Ledger answer = proved(points, paper(), found, *lost);
-    const Index p = lost->failure.points.front();
+    const RunFailure& lost = firstOf(found, "lost_points");
+    const Ledger answer = proved(points, paper(), found, lost);
+    const Index p = lost.failure.points.front();
     CHECK(answer.answer == provedWhy(points, paper(), Subject::point(p)).value().answer);
 }
 
@@ -182,11 +188,7 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
     PointSet points = prepared(file);
     points.judge = judgeFor(file).value();
     const RunFailureSearch found = failuresIn(points, robust());
-    const auto first =
-        std::find_if(found.failures.begin(), found.failures.end(),
-                     [](const RunFailure& each) { return each.failure.kind->name == "holes"; });
-    REQUIRE(first != found.failures.end());
-    const RunFailure& hole = *first;
+    const RunFailure& hole = firstOf(found, "holes");
     CHECK_FALSE(provedWhy(points, robust(), hole, found.all).value().preventedBy);
     const auto others = otherPreparations(file, spec, *points.judge);
     const ProofScope scope = scopeOf(others);
@@ -241,12 +243,9 @@ TEST_CASE("failure proof: an opening in the place of a hole is no fault") {
     PointSet points = prepared(file);
     points.judge = judgeFor(file).value();
     const RunFailureSearch found = failuresIn(points, robust());
-    const auto opening =
-        std::find_if(found.failures.begin(), found.failures.end(),
-                     [](const RunFailure& each) { return each.failure.kind->name == "openings"; });
-    REQUIRE(opening != found.failures.end());
+    const RunFailure& opening = firstOf(found, "openings");
     // Taken for a hole, it is gone in a mesh that has the opening alone.
-    RunFailure hole = *opening;
+    RunFailure hole = opening;
     hole.failure.kind = findFailureClass("holes");
     const std::vector<MeshFailure> known{hole.failure};
     const SpecChange rim = specChange({{"rim", "on"}});
@@ -255,7 +254,7 @@ TEST_CASE("failure proof: an opening in the place of a hole is no fault") {
     const Ledger answer = provedWhy(points, robust(), hole, known, scope).value();
     CHECK(answer.answer.ends_with("The option --derive-rim prevents it, and leaves a sound mesh."));
     // As an opening it is still there.
-    CHECK_FALSE(provedWhy(points, robust(), *opening, found.all, scope).value().preventedBy);
+    CHECK_FALSE(provedWhy(points, robust(), opening, found.all, scope).value().preventedBy);
 }
 
 TEST_CASE("failure proof: cancelled") {

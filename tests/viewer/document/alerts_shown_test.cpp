@@ -52,6 +52,16 @@ struct AlertApp : HeadlessApp {
     }
 };
 
+/// The change that prevents the alert that is shown, as W answers. Requires one.
+FieldValue changeThatPrevents(AlertApp& app) {
+    actions::askWhySelected(app.context);
+    app.session.waitUntilDone();
+    const Ledger* answer = app.session.questions().why();
+    REQUIRE(answer != nullptr);
+    REQUIRE(answer->preventedBy);
+    return *answer->preventedBy;
+}
+
 /// A file whose mesh has a hole of four, in a folder of its own.
 struct FailingFile {
     OwnFolder folder;
@@ -611,12 +621,7 @@ TEST_CASE("The rule that prevents an alert is tried beside the run, and switched
     REQUIRE(app.session.alerts().chosen());
     const std::size_t before = app.session.alerts().failures().size();
     const MeshFailure failure = app.session.alerts().shown()->failure;
-    actions::askWhySelected(app.context);
-    app.session.waitUntilDone();
-    const Ledger* answer = app.session.questions().why();
-    REQUIRE(answer != nullptr);
-    REQUIRE(answer->preventedBy);
-    const FieldValue change = *answer->preventedBy;
+    const FieldValue change = changeThatPrevents(app);
     const RuleSetting* rule = ruleOf(change);
     REQUIRE(rule != nullptr);
     showBeside(app.context, change);
@@ -647,12 +652,7 @@ TEST_CASE("Where no rule prevents an alert, the preparation that does is tried i
     REQUIRE_FALSE(app.session.alerts().sound());
     showPlace(app.context, 0);
     app.arrive();
-    actions::askWhySelected(app.context);
-    app.session.waitUntilDone();
-    const Ledger* answer = app.session.questions().why();
-    REQUIRE(answer != nullptr);
-    REQUIRE(answer->preventedBy);
-    const FieldValue change = *answer->preventedBy;
+    const FieldValue change = changeThatPrevents(app);
     CHECK(change.field->key == "neighbors");
     showBeside(app.context, change);
     CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==

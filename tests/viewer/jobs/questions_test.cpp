@@ -30,9 +30,7 @@ Ledger expectedOf(const Session& session, const Subject& subject) {
     const Model& model = session.model();
     ProofScope scope;
     scope.alternatives = [&](const Progress&) -> Result<Alternatives> {
-        return Alternatives{model.points.judge,
-                            otherPreparations(*session.input().file(), session.input().spec(),
-                                              *model.points.judge)};
+        return alternativesOf(*session.input().file(), session.input().spec(), model.points.judge);
     };
     return provedWhy(model.points, model.params, subject, scope).value();
 }
