@@ -94,13 +94,15 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
     RunLength length;
     const auto visit = [&](const SweptPivot& pivot) {
         length.add(pivot);
+        addMakings(points, params, pivot, asked.corners, ledger);
         if (isLoop(failure) || failure.triangles.empty())
             addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
     };
-    if (ledger.provedBy == ProvedBy::Nothing &&
-        !addMakings(points, params, asked.corners, visit, ledger,
-                    partOf(progress, 0.0, kLinesShare)))
-        return Error{"Cancelled."};
+    if (ledger.provedBy == ProvedBy::Nothing) {
+        if (!sweep(points, params, visit, partOf(progress, 0.0, kLinesShare)))
+            return Error{"Cancelled."};
+        sortLines(ledger);
+    }
     LeftOverRings rings;
     ProofAim aim;
     if (failure.kind->find == nullptr) {

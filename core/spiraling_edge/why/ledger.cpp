@@ -258,6 +258,11 @@ class FilledGaps {
     /// `events`: of one pivot.
     FilledGaps(std::span<const Event> events, const Subject& subject) {
         if (subject.size() == 1) return;
+        const bool fills = std::any_of(events.begin(), events.end(), [&](const Event& event) {
+            const auto* emit = as<EmitEvidence>(event);
+            return emit != nullptr && holds(emit->corners, subject);
+        });
+        if (!fills) return;
         for (const Event& event : events) {
             const auto* pivot = as<PivotEvidence>(event);
             const auto* sort = as<SortEvidence>(event);
@@ -333,6 +338,7 @@ class LedgerBuilder {
             addEvent(pivot, event);
         }
     }
+    const std::vector<LedgerLine>& lines() const { return ledger_.lines; }
     /// The reason why there is no deciding line: the subject is one of a given start.
     std::optional<Error> withoutDecision(const State& end) const {
         const auto isMade = [](const LedgerLine& line) { return line.role == LineRole::Made; };
@@ -366,12 +372,13 @@ class LedgerBuilder {
             set(pivot->last, true);
             return;
         }
+        const Index tested = testedPoint(event);
+        if (!subject_.has(tested)) return;
         // Points that limits move past stay spokes, and so do first and last, which are no
         // candidates.
         const bool stays = isA<LimitEvidence>(event) || verdictOf(event) == Verdict::OnRingEnd;
         const Outcome outcome = outcomeOf(event);
         if (stays || outcome == Outcome::None) return;
-        const Index tested = testedPoint(event);
         if (event.address.stage == Stage::Reciprocal) {
             // One entry of the point whose test passes is enough (§6.1, Fig. 6).
             if (isAgainst(outcome) && reciprocal_ == tested) return;
@@ -388,33 +395,34 @@ class LedgerBuilder {
             if (now != *inMesh_) role = now ? LineRole::Made : LineRole::Undone;
             inMesh_ = now;
         }
-        const LedgerLine line{event, pivot.point, role.value_or(LineRole::Indirect),
-                              readingOf(event, {points_, params_, pivot.point})};
         const auto* limit = as<LimitEvidence>(event);
         if (limit != nullptr && limit->moves() && !role)
-            moves_.push_back({line, ledger_.lines.size()});
+            moves_.push_back({event, ledger_.lines.size()});
         if (!role) return;
-        addMoveOver(event);
-        ledger_.lines.push_back(line);
+        addMoveOver(pivot.point, event);
+        ledger_.lines.push_back(lineOf(pivot.point, event, *role));
+    }
+    LedgerLine lineOf(Index pivot, const Event& event, LineRole role) const {
+        return {event, pivot, role, readingOf(event, {points_, params_, pivot})};
     }
 
     /// A move of start or end, and its place among the lines.
     struct Move {
-        LedgerLine line;
+        Event event;
         std::size_t place;
         bool isAdded = false;
     };
     /// Adds the first move of start or end past a candidate that it left outside (§6.1, Fig. 4).
-    void addMoveOver(const Event& event) {
+    void addMoveOver(Index pivot, const Event& event) {
         const DropEvidence* drop = passedBy(event);
         if (drop == nullptr) return;
         const auto found = std::find_if(moves_.begin(), moves_.end(), [&](const Move& each) {
-            return passes(each.line.event, *drop);
+            return passes(each.event, *drop);
         });
         if (found == moves_.end() || found->isAdded) return;
         found->isAdded = true;
         ledger_.lines.insert(ledger_.lines.begin() + static_cast<std::ptrdiff_t>(found->place),
-                             found->line);
+                             lineOf(pivot, found->event, LineRole::Indirect));
         for (auto later = found + 1; later != moves_.end(); ++later) ++later->place;
     }
 
@@ -504,6 +512,13 @@ std::optional<Error> subjectError(const PointSet& points, const Subject& subject
 }
 
 }  // namespace
+
+std::vector<LedgerLine> linesAt(const PointSet& points, const Params& params,
+                                const Subject& subject, const SweptPivot& pivot) {
+    LedgerBuilder builder(points, params, subject);
+    builder.add(pivot);
+    return builder.lines();
+}
 
 Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& params,
                                      const Subject& subject) {

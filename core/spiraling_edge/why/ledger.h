@@ -76,6 +76,10 @@ struct Ledger {
     std::optional<FieldValue> preventedBy = {};
 };
 
+/// The lines about a subject of one pivot of a run, in order.
+std::vector<LedgerLine> linesAt(const PointSet& points, const Params& params,
+                                const Subject& subject, const SweptPivot& pivot);
+
 /// The answer of a ledger in words: "Point 812 is not in the mesh", what is said between, and its
 /// cause with its address.
 std::string answerText(const Ledger& ledger, std::string_view between = ". ");

@@ -18,6 +18,11 @@
 namespace se {
 namespace {
 
+// The work for each point in steps of a run, as measured on a million points.
+constexpr std::uint64_t kPointsOfForkPerStep = 8;  // A copy of the state, and a step with it.
+constexpr std::uint64_t kStepsToPrepare = 1;
+constexpr std::uint64_t kStepsToJudge = 5;  // Or to prepare the judge.
+
 /// A rule that is off, and the params with it.
 struct Candidate {
     const RuleSetting* rule;
@@ -37,9 +42,8 @@ std::vector<Candidate> candidatesOf(const Params& params) {
     return all;
 }
 
-/// The state as a run has it whose rules examine finished triangles.
-State withEdges(State state, const Params& params) {
-    if (!params.robust.needsEdges() || !state.edges.empty()) return state;
+/// The state with the table of its edges.
+State withEdges(State state) {
     state.edges = EdgeTable(state.status.size());
     for (const Triangle& t : state.triangles) state.edges.add(t);
     return state;
@@ -66,8 +70,8 @@ class PreventionSearch {
 
     /// The rule or preparation that changes the answer, if one was found.
     const std::optional<FieldValue>& found() const { return found_; }
-    /// The verdict on the mesh with it.
-    const MeshVerdict& verdict() const { return verdict_; }
+    /// The verdict on the mesh with it; nothing where the steps did not last for one.
+    const std::optional<MeshVerdict>& verdict() const { return verdict_; }
     /// "No single rule of robust, and none of 4 other preparations"; empty if nothing was tried, or
     /// not all for the limit.
     std::string allTried() const {
@@ -81,8 +85,12 @@ class PreventionSearch {
     /// Looks at these pivots, in ascending order, the last of which is that of the run. False if
     /// cancelled.
     bool runRules(const std::vector<std::uint32_t>& places) {
-        if (candidates_.empty()) return true;
-        if (!compareAt(places)) return false;
+        const std::uint64_t comparing =
+            places.size() * candidates_.size() * points_.size() / kPointsOfForkPerStep;
+        if (comparing < left_ / 2) {
+            left_ -= comparing;
+            if (!compareAt(places)) return false;
+        }
         std::stable_partition(candidates_.begin(), candidates_.end(),
                               [](const Candidate& each) { return each.differs; });
         const SpecField* switches = findSpecField("switches");
@@ -93,10 +101,10 @@ class PreventionSearch {
         return true;
     }
 
-    /// Each counts as many steps as there are points, beside its run. False if cancelled.
+    /// False if cancelled.
     bool runPreparations(std::span<const OtherPreparation> all) {
         for (const OtherPreparation& each : all) {
-            left_ -= std::min<std::uint64_t>(left_, points_.size());
+            spend(kStepsToPrepare * points_.size());
             if (left_ == 0) break;
             const std::optional<PointSet> points =
                 each.points([this](double) { return goesOn_(); });
@@ -109,16 +117,25 @@ class PreventionSearch {
     }
 
   private:
+    void spend(std::uint64_t steps) { left_ -= std::min(left_, steps); }
+
     /// Makes a run with a change, and keeps it if it changes the answer and has fewer faults than
-    /// those before. False if cancelled.
+    /// those before; the first one if the steps do not last for a verdict. False if cancelled.
     bool runWith(const FieldValue& change, const PointSet& points, const Params& params) {
         if (left_ == 0) return true;
         Stepper whole(points, params);
         const auto effect = effectOfRun(whole, points_, aim_, left_, goesOn_);
         if (!effect) return false;
         if (*effect != Effect::Changed) return true;
+        const std::uint64_t judging = kStepsToJudge * points_.size();
+        if (left_ <= judging) {
+            left_ = 0;
+            if (!found_) found_ = change;
+            return true;
+        }
+        spend(judging);
         const MeshVerdict verdict = verdictOn(whole.state().mesh());
-        if (found_ && !hasFewerFaults(verdict, verdict_)) return true;
+        if (found_ && !hasFewerFaults(verdict, *verdict_)) return true;
         found_ = change;
         verdict_ = verdict;
         return true;
@@ -146,14 +163,17 @@ class PreventionSearch {
     /// follow. False if cancelled.
     bool compareHere(Stepper& plain, bool isLast) {
         const State before = plain.state();
+        std::optional<State> edged;  // As a run has it whose rules examine finished triangles.
         const auto never = [] { return false; };
         plain.stepPivot();
         if (isLast && !advanceUntil(plain, left_, goesOn_, never)) return false;
         const std::uint64_t expected = stateHash(plain.state());
         for (Candidate& each : candidates_) {
             if (each.differs) continue;
+            const bool needsEdges = each.params.robust.needsEdges() && before.edges.empty();
+            if (needsEdges && !edged) edged = withEdges(before);
             Stepper fork(points_, each.params);
-            fork.setState(withEdges(before, each.params));
+            fork.setState(needsEdges ? *edged : before);
             fork.stepPivot();
             if (isLast && !advanceUntil(fork, left_, goesOn_, never)) return false;
             each.differs = isLast ? fork.state().mesh() != plain.state().mesh()
@@ -171,7 +191,7 @@ class PreventionSearch {
     std::vector<Candidate> candidates_;
     std::size_t prepared_ = 0;  ///< Other preparations that were run.
     std::optional<FieldValue> found_;
-    MeshVerdict verdict_;
+    std::optional<MeshVerdict> verdict_;
 };
 
 /// "The rule fill", "The option --derive-rim".
@@ -200,7 +220,9 @@ Status addPrevention(const PointSet& points, const Params& params, std::uint32_t
                      Ledger& ledger, const Progress& progress) {
     if (left == 0) return success();
     Alternatives alternatives;
-    if (scope.alternatives) {
+    const std::uint64_t judging = kStepsToJudge * points.size();
+    if (scope.alternatives && left > judging) {
+        left -= judging;
         Result<Alternatives> found = scope.alternatives(partOf(progress, 0.0, 0.1));
         if (!found) return found.error();
         alternatives = std::move(found.value());
@@ -212,11 +234,12 @@ Status addPrevention(const PointSet& points, const Params& params, std::uint32_t
     ledger.preventedBy = search.found();
     const std::string does = ledger.present ? " prevents it" : " brings it in";
     if (ledger.preventedBy) {
-        const MeshVerdict& with = search.verdict();
+        const std::optional<MeshVerdict>& with = search.verdict();
         ledger.answer +=
             " " + nameOf(*ledger.preventedBy) + does +
-            (with.isSound() ? ", and leaves a sound mesh."
-                            : ", and leaves faults at " + counted(with.places, "place") + ".");
+            (!with             ? "."
+             : with->isSound() ? ", and leaves a sound mesh."
+                               : ", and leaves faults at " + counted(with->places, "place") + ".");
     } else if (const std::string tried = search.allTried(); !tried.empty()) {
         ledger.answer += " " + tried + does + ".";
     }

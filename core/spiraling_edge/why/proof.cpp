@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "spiraling_edge/base/parallel.h"
@@ -23,11 +24,11 @@ bool isInSector(const PointSet& points, const Triangle& t, Index at, Index p) {
            glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
 }
 
-/// Triangles in the place of an absent subject, the latest: made at a corner of it, across the
-/// direction to another corner; of one point, across the direction to it from a near neighbor.
-/// O(triangles).
-std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
-                               std::span<const Triangle> made) {
+/// Triangles in the place of an absent subject, the latest, by their numbers, ascending: made at a
+/// corner of it, across the direction to another corner; of one point, across the direction to it
+/// from a near neighbor. O(triangles).
+std::vector<std::size_t> rivalsOf(const PointSet& points, const Subject& subject,
+                                  std::span<const Triangle> made) {
     constexpr std::size_t kNearby = 6;
     constexpr std::size_t kMostRivals = 8;
     std::vector<std::pair<Index, Index>> ways;
@@ -39,15 +40,64 @@ std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
         if (subject.size() > 1) continue;
         for (const Index q : list.first(std::min(list.size(), kNearby))) ways.emplace_back(q, p);
     }
-    std::vector<Triangle> rivals;
+    std::vector<std::size_t> rivals;
     for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
         const Triangle& t = made[i];
         const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
             return hasCorner(t, way.first) && isInSector(points, t, way.first, way.second);
         });
-        if (inTheWay) rivals.push_back(t);
+        if (inTheWay) rivals.push_back(i);
     }
+    std::reverse(rivals.begin(), rivals.end());
     return rivals;
+}
+
+/// The pivots of a run, and the number of triangles after each.
+struct RunExtent {
+    RunLength length;
+    std::vector<Index> triangles;  ///< By the number of the pivot.
+
+    /// Takes the next pivot of the run.
+    void add(const SweptPivot& pivot) {
+        length.add(pivot);
+        triangles.resize(length.pivots + 1, triangles.empty() ? 0 : triangles.back());
+        triangles.back() = static_cast<Index>(pivot.after.triangles.size());
+    }
+    /// The pivot that made a triangle.
+    std::uint32_t pivotOf(std::size_t triangle) const {
+        const auto after = std::upper_bound(triangles.begin(), triangles.end(), triangle);
+        return static_cast<std::uint32_t>(after - triangles.begin());
+    }
+};
+
+/// Adds the tests that made these of the triangles `made` by a run. A run up to the last of them,
+/// with a log only where they are made. False if cancelled.
+bool addRivals(const PointSet& points, const Params& params, const RunExtent& run,
+               std::span<const Triangle> made, std::span<const std::size_t> rivals, Ledger& ledger,
+               const Progress& progress) {
+    std::set<std::uint32_t> pivots;
+    std::vector<Triangle> corners;
+    for (const std::size_t each : rivals) {
+        pivots.insert(run.pivotOf(each));
+        corners.push_back(made[each]);
+    }
+    Stepper stepper(points, params);
+    const auto goesOn = [&] {
+        return !progress ||
+               progress(static_cast<double>(stepper.state().counters.pivots) / run.length.pivots);
+    };
+    std::uint64_t left = ~std::uint64_t{0};
+    for (const std::uint32_t pivot : pivots) {
+        if (!advanceTo(stepper, pivot, left, goesOn)) return false;
+        EventLog log;
+        stepper.setLog(&log);
+        stepper.stepPivot();
+        stepper.setLog(nullptr);
+        addMakings(points, params, {pivotPoint(log.events()), log.events(), stepper.state()},
+                   corners, ledger);
+    }
+    sortLines(ledger);
+    return true;
 }
 
 /// Of an absent edge whose ends are near and do not list each other: each with the other in its
@@ -78,26 +128,28 @@ struct AskedSubject {
     RunLength length;
 };
 
-/// Two runs, or one where the ledger is proved. Fails if cancelled, or as why() does.
+/// Two runs, or one where the ledger is proved or the subject present. Fails if cancelled, or as
+/// why() does.
 Result<AskedSubject> askSubject(const PointSet& points, const Params& params,
                                 const Subject& subject, const Progress& progress) {
     const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
     if (!question) return question.error();
-    AskedSubject asked;
+    RunExtent run;
     const auto visit = [&](const SweptPivot& pivot) {
-        asked.length.add(pivot);
+        run.add(pivot);
         question.value().visit(pivot);
     };
     const auto end = sweep(points, params, visit, partOf(progress, 0.0, 0.5));
     if (!end) return Error{"Cancelled."};
-    Result<Ledger> ledger = question.value().answer(*end);
+    const Result<Ledger> ledger = question.value().answer(*end);
     if (!ledger) return ledger.error();
-    asked.ledger = std::move(ledger.value());
-    const bool isOpen = !asked.ledger.present && asked.ledger.provedBy == ProvedBy::Nothing;
-    std::vector<Triangle> rivals;
-    if (isOpen) rivals = rivalsOf(*turnedPoints(points, params), subject, end->triangles);
-    if (!addMakings(points, params, rivals, {}, asked.ledger, partOf(progress, 0.5, 1.0)))
-        return Error{"Cancelled."};
+    AskedSubject asked{ledger.value(), {}, run.length};
+    if (!asked.ledger.present && asked.ledger.provedBy == ProvedBy::Nothing) {
+        const auto rivals = rivalsOf(*turnedPoints(points, params), subject, end->triangles);
+        if (!addRivals(points, params, run, end->triangles, rivals, asked.ledger,
+                       partOf(progress, 0.5, 1.0)))
+            return Error{"Cancelled."};
+    }
     asked.all = invertibleOf(points, asked.ledger);
     if (!asked.ledger.present) addLists(points, subject, asked.ledger.cause, asked.all);
     return asked;

@@ -14,13 +14,15 @@ namespace se {
 /// The extent of a search for a proof, and for what else changes the answer.
 struct ProofScope {
     std::size_t inversions = 20;  ///< That are run to the end.
-    /// Steps of all inversions, in runs; at least kLeastProofSteps in any case.
+    /// Steps of all inversions, in runs; at least kLeastProofSteps in any case. What is left of
+    /// them, or of kLeastChangeSteps, is for the change that prevents the answer.
     double runs = 3.0;
     /// Found when a change is looked for that prevents the answer. Preparations are tried where no
     /// rule does; without a judge meshes are judged as by PointSet::judge. May be empty.
     std::function<Result<Alternatives>(const Progress&)> alternatives = {};
 };
 inline constexpr std::uint64_t kLeastProofSteps = 500'000;
+inline constexpr std::uint64_t kLeastChangeSteps = 1'000'000;
 
 /// The question why the subject is in the mesh of a run, or is not, answered with its proof: the
 /// ledger of why(), with the lines about triangles in the place of an absent subject, and the

@@ -67,23 +67,6 @@ std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledge
 
 namespace {
 
-/// Of the pivot that made the subject of `made`, the tests that took its points or made way for it,
-/// as lines about other points.
-void addMaking(const Ledger& made, Ledger& ledger) {
-    const auto emit = std::find_if(made.lines.begin(), made.lines.end(),
-                                   [](const auto& line) { return line.role == LineRole::Made; });
-    if (emit == made.lines.end()) return;
-    for (LedgerLine line : made.lines) {
-        const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
-        const bool known = std::any_of(
-            ledger.lines.begin(), ledger.lines.end(),
-            [&](const LedgerLine& each) { return each.event.address == line.event.address; });
-        if (!decided || known || line.event.address.pivot != emit->event.address.pivot) continue;
-        line.role = LineRole::Indirect;
-        ledger.lines.push_back(line);
-    }
-}
-
 /// The result of a search for a proof.
 struct Proof {
     std::optional<Invertible> found = {};
@@ -94,10 +77,17 @@ struct Proof {
     std::uint64_t left = 0;        ///< Steps that were not made.
 };
 
-/// The steps that inversions of a run of `steps` may take.
+/// The steps of the runs of a scope, each of `steps`.
 std::uint64_t stepsOf(const ProofScope& scope, std::uint64_t steps) {
-    return std::max(kLeastProofSteps,
-                    static_cast<std::uint64_t>(scope.runs * static_cast<double>(steps)));
+    return static_cast<std::uint64_t>(scope.runs * static_cast<double>(steps));
+}
+/// The steps that inversions may take.
+std::uint64_t proofStepsOf(const ProofScope& scope, std::uint64_t steps) {
+    return std::max(kLeastProofSteps, stepsOf(scope, steps));
+}
+/// The steps for other rules and preparations.
+std::uint64_t changeStepsOf(const ProofScope& scope, std::uint64_t steps, std::uint64_t left) {
+    return std::max(left, kLeastChangeSteps - std::min(kLeastChangeSteps, stepsOf(scope, steps)));
 }
 
 class Prover {
@@ -112,12 +102,12 @@ class Prover {
           all_(std::move(all)) {}
 
     Result<Proof> run(std::uint64_t steps, const ProofScope& scope) {
-        if (all_.empty()) return Proof{.left = stepsOf(scope, steps)};
+        if (all_.empty()) return Proof{.left = proofStepsOf(scope, steps)};
         const bool wasCut = all_.size() >= kMostInvertible;
         std::uint64_t looking = ~std::uint64_t{0};
         if (!lookAtPivots(params_, looking, all_)) return Error{"Cancelled."};
         sortByPromise();
-        Proof proof{.left = stepsOf(scope, steps)};
+        Proof proof{.left = proofStepsOf(scope, steps)};
         if (!runToEnds(scope, proof)) return Error{"Cancelled."};
         const std::vector<Invertible> singles = all_;
         const auto isOpen = [&] {
@@ -144,14 +134,6 @@ class Prover {
     static std::uint32_t pivotOf(const Invertible& each) {
         return each.second ? each.second->inverse.pivot : each.inverse.pivot;
     }
-    /// True if the pivot after this state, run with `forked`, changes the answer.
-    bool showsAtOnce(const Params& forked, const State& before) const {
-        Stepper fork(points_, forked);
-        fork.setState(before);
-        fork.stepPivot();
-        return aim_.showsAtOnce(std::span(fork.state().triangles).subspan(before.triangles.size()));
-    }
-
     /// Leaves out inversions that are refused, and marks those that show at their pivot, the last
     /// one of each in a run with `params`. Takes `left` steps at most. False if cancelled.
     bool lookAtPivots(const Params& params, std::uint64_t& left, std::vector<Invertible>& list) {
@@ -162,11 +144,10 @@ class Prover {
         std::vector<Invertible> possible;
         for (Invertible& each : list) {
             if (!advanceTo(stepper, pivotOf(each), left, goesOn_) || !goesOn_()) return false;
-            const Params forked = with(each);
-            if (!hasReached(stepper, pivotOf(each)) ||
-                !checkLastWhatIf(points_, forked, stepper.state()))
-                continue;
-            each.showsAtOnce = aim_.showsAtOnce && showsAtOnce(forked, stepper.state());
+            if (!hasReached(stepper, pivotOf(each))) continue;
+            const auto made = madeWithLastWhatIf(points_, with(each), stepper.state());
+            if (!made) continue;
+            each.showsAtOnce = aim_.showsAtOnce && aim_.showsAtOnce(made.value());
             possible.push_back(each);
         }
         list = std::move(possible);
@@ -373,31 +354,28 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
     if (!proof) return proof.error();
     settle(ledger, proof.value());
     if (!aim.findsChange) return success();
-    return addPrevention(points, params, length.pivots, aim, proof.value().left, scope, ledger,
+    const std::uint64_t left = changeStepsOf(scope, length.steps, proof.value().left);
+    return addPrevention(points, params, length.pivots, aim, left, scope, ledger,
                          partOf(progress, kProofShare, 1.0));
 }
 
-bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
-                const PivotVisitor& also, Ledger& ledger, const Progress& progress) {
-    if (made.empty() && !also) return true;
-    std::vector<Question<Ledger>> asked;
-    asked.reserve(made.size());
-    for (const Triangle& t : made)
-        asked.push_back(whyQuestion(points, params, Subject::triangle(t.a, t.b, t.c)).value());
-    const auto end = sweep(
-        points, params,
-        [&](const SweptPivot& pivot) {
-            for (const Question<Ledger>& each : asked) each.visit(pivot);
-            if (also) also(pivot);
-        },
-        progress);
-    if (!end) return false;
-    for (const Question<Ledger>& each : asked) {
-        const Result<Ledger> answer = each.answer(*end);
-        if (answer) addMaking(answer.value(), ledger);
+void addMakings(const PointSet& points, const Params& params, const SweptPivot& pivot,
+                std::span<const Triangle> triangles, Ledger& ledger) {
+    for (const Event& event : pivot.events) {
+        const auto* emit = as<EmitEvidence>(event);
+        if (emit == nullptr) continue;
+        const Subject made = Subject::triangle(emit->corners.a, emit->corners.b, emit->corners.c);
+        if (!isInMesh(triangles, made)) continue;
+        for (LedgerLine line : linesAt(points, params, made, pivot)) {
+            const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
+            const bool known = std::any_of(
+                ledger.lines.begin(), ledger.lines.end(),
+                [&](const LedgerLine& each) { return each.event.address == line.event.address; });
+            if (!decided || known) continue;
+            line.role = LineRole::Indirect;
+            ledger.lines.push_back(line);
+        }
     }
-    sortLines(ledger);
-    return true;
 }
 
 void sortLines(Ledger& ledger) {

@@ -113,11 +113,10 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
                 std::vector<Invertible> all, const RunLength& length, const ProofScope& scope,
                 Ledger& ledger, const Progress& progress);
 
-/// Adds to a ledger, as indirect lines in their order, the tests that made these triangles: those
-/// that took their corners or made way for them. `also`, which may be empty, gets the pivots of
-/// that run as well. A run, or none without triangles and `also`. False if cancelled.
-bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
-                const PivotVisitor& also, Ledger& ledger, const Progress& progress);
+/// Adds to a ledger, as indirect lines at its end, the tests of a pivot that made any of these
+/// triangles: those that took their corners or made way for them.
+void addMakings(const PointSet& points, const Params& params, const SweptPivot& pivot,
+                std::span<const Triangle> triangles, Ledger& ledger);
 
 /// Puts the lines of a ledger into the order of their addresses, each once; the cause stays.
 void sortLines(Ledger& ledger);

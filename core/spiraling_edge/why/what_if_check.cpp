@@ -4,6 +4,7 @@
 #include "spiraling_edge/why/what_if_check.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "spiraling_edge/base/parallel.h"
@@ -81,12 +82,18 @@ std::size_t repeatedEdges(const std::vector<Triangle>& triangles, std::size_t fr
     const auto sides = [](const Triangle& t) {
         return std::array{std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)};
     };
+    Index end = 0;  // Beyond the points of these triangles.
     for (std::size_t i = from; i < triangles.size(); ++i) {
-        for (const auto& side : sides(triangles[i])) count += made.insert(side).second ? 0 : 1;
+        for (const auto& side : sides(triangles[i])) {
+            count += made.insert(side).second ? 0 : 1;
+            end = std::max(end, side.first + 1);
+        }
     }
-    if (made.empty()) return count;
-    for (std::size_t i = 0; i < from; ++i) {
-        for (const auto& side : sides(triangles[i])) count += made.contains(side) ? 1 : 0;
+    std::vector<bool> begins(end, false);
+    for (const auto& side : made) begins[side.first] = true;
+    for (std::size_t i = 0; i < from && !made.empty(); ++i) {
+        for (const auto& side : sides(triangles[i]))
+            count += side.first < end && begins[side.first] && made.contains(side) ? 1 : 0;
     }
     return count;
 }
@@ -109,44 +116,47 @@ class Check {
                 if (progress && at % kPivotsPerReport == 0 && !progress(double(at) / pivot))
                     return {};
             }
-            look(pivot);
+            look(pivot, State(stepper_.state()));
         }
         return std::move(answers_);
     }
 
-    Status last(const State& before) {
+    Result<std::vector<Triangle>> last(const State& before) {
         stepper_.setState(before);
-        look(params_.whatIf.back().pivot);
-        return std::move(answers_.back());
+        look(params_.whatIf.back().pivot, before);
+        if (!answers_.back()) return answers_.back().error();
+        const std::vector<Triangle>& all = stepper_.state().triangles;
+        return std::vector<Triangle>(
+            all.begin() + static_cast<std::ptrdiff_t>(before.triangles.size()), all.end());
     }
 
   private:
-    void look(std::uint32_t pivot) {
-        const State before = stepper_.state();
+    /// Makes the pivot after `before`, the present state, and answers its what-ifs.
+    void look(std::uint32_t pivot, const State& before) {
         EventLog log;
         stepper_.setLog(&log);
         const PointSet& points = stepper_.points();
         const bool there = stepper_.stepPivot() && stepper_.state().counters.pivots == pivot;
         stepper_.setLog(nullptr);
-        const std::string broken = there ? brokenBy(before, pivot, points) : "";
+        std::vector<std::size_t> done;
         for (std::size_t i = 0; i < answers_.size(); ++i) {
-            const WhatIf& what = params_.whatIf[i];
-            if (what.pivot == pivot) answers_[i] = answer(what, log.events(), there, broken);
+            if (params_.whatIf[i].pivot != pivot) continue;
+            answers_[i] = answer(params_.whatIf[i], log.events(), there);
+            if (answers_[i]) done.push_back(i);
+        }
+        const std::string broken = done.empty() ? "" : brokenBy(before, pivot, points);
+        for (const std::size_t i : done) {
+            if (!broken.empty()) answers_[i] = Error{broken};
         }
     }
 
-    Status answer(const WhatIf& what, const std::vector<Event>& events, bool there,
-                  const std::string& broken) const {
+    /// The checks of a what-if that look at its own tests.
+    Status answer(const WhatIf& what, const std::vector<Event>& events, bool there) const {
         if (Status plain = checkPlain(points_, what); !plain) return plain;
         if (!there) return Error{"The run has no pivot " + std::to_string(what.pivot) + "."};
-        Status done = success();
-        if (what.kind == WhatIfKind::Keep || what.kind == WhatIfKind::Drop) {
-            done = checkTest(events, what);
-        } else if (what.kind == WhatIfKind::Pivot) {
-            done = checkPivot(events, what);
-        }
-        if (done && !broken.empty()) return Error{broken};
-        return done;
+        if (what.kind == WhatIfKind::Keep || what.kind == WhatIfKind::Drop)
+            return checkTest(events, what);
+        return what.kind == WhatIfKind::Pivot ? checkPivot(events, what) : success();
     }
 
     /// The invariant that is broken by the what-ifs of a pivot and holds without them.
@@ -212,8 +222,10 @@ std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Pa
     return Check(points, params).run(progress);
 }
 
-Status checkLastWhatIf(const PointSet& points, const Params& params, const State& before) {
-    return params.whatIf.empty() ? success() : Check(points, params).last(before);
+Result<std::vector<Triangle>> madeWithLastWhatIf(const PointSet& points, const Params& params,
+                                                 const State& before) {
+    assert(!params.whatIf.empty());
+    return Check(points, params).last(before);
 }
 
 std::uint64_t runHash(const State& state, const Params& params) {

@@ -17,8 +17,10 @@ namespace se {
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
                                                 const Progress& progress = {});
 
-/// The status of the last of params.whatIf alone, at a state before its pivot. O(points).
-Status checkLastWhatIf(const PointSet& points, const Params& params, const State& before);
+/// The triangles that the pivot of the last of params.whatIf makes with it, from a state before
+/// that pivot; fails as checkWhatIfs() if that what-if is refused. Requires a what-if. O(points).
+Result<std::vector<Triangle>> madeWithLastWhatIf(const PointSet& points, const Params& params,
+                                                 const State& before);
 
 /// The reason why a test with this verdict cannot be inverted; empty if it can, or if no reason is
 /// known.
