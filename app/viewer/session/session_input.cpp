@@ -13,7 +13,7 @@ namespace {
 /// True if the points would be prepared in the same way.
 bool sameInput(const Params& a, const Params& b) {
     return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside &&
-           a.setStraysAside == b.setStraysAside;
+           a.setStraysAside == b.setStraysAside && a.robust.rim == b.robust.rim;
 }
 
 Result<Opened> openInput(const RunSpec& spec, LoadProgress& progress) {

@@ -83,22 +83,31 @@ LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop) {
     return sum.shape();
 }
 
-bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop) {
-    // No two others follow each other, since a single one bulges past the chord.
-    const auto onWall = [&](Index p) { return isBoundary(points.type[p]); };
-    std::size_t walls = 0;
+namespace {
+
+/// True if most points of the loop have such a type, and no two others follow each other: a single
+/// one bulges past the chord.
+bool runsAlong(const PointSet& points, std::span<const LoopSide> loop, bool (*test)(std::uint8_t)) {
+    const auto passes = [&](Index p) { return test(points.type[p]); };
+    std::size_t count = 0;
     for (const LoopSide& side : loop) {
-        if (!onWall(side.from) && !onWall(side.to)) return false;
-        walls += onWall(side.from) ? 1U : 0U;
+        if (!passes(side.from) && !passes(side.to)) return false;
+        count += passes(side.from) ? 1U : 0U;
     }
-    return isMost(walls, loop.size());
+    return isMost(count, loop.size());
+}
+
+}  // namespace
+
+bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop) {
+    return runsAlong(points, loop, isOnWall);
 }
 
 bool isOpening(const PointSet& points, std::span<const LoopSide> loop, const LoopShape& shape) {
     const bool known = std::all_of(loop.begin(), loop.end(), [&](const LoopSide& side) {
         return points.normal[side.from] != Vec3(0.0);
     });
-    if (!known || runsAlongWalls(points, loop)) return true;
+    if (!known || runsAlong(points, loop, isBoundary)) return true;
     return shape.widthInEdges() >= kNarrowestOpening && endsAtMost(points, loop);
 }
 

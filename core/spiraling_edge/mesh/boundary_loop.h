@@ -32,13 +32,13 @@ LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop);
 std::vector<LoopSide> loopSidesOf(std::span<const TriangleSide> sides);
 
 /// True if the surface ends at this loop of this shape, be it that a normal is missing (zero), that
-/// it runs along walls, or that it is wide and most of its points have a wide free sector. The
-/// outline of a whole patch is an opening as well, which only the caller can tell: see
+/// it runs along walls or rims, or that it is wide and most of its points have a wide free sector.
+/// The outline of a whole patch is an opening as well, which only the caller can tell: see
 /// largestPatch().
 bool isOpening(const PointSet& points, std::span<const LoopSide> loop, const LoopShape& shape);
 
-/// True if the loop runs along walls or rims: most of its points lie on them, and no two others
-/// follow each other.
+/// True if the loop runs along walls: most of its points lie on them, and no two others follow each
+/// other.
 bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop);
 
 /// The most triangles of a patch whose outline is a loop with LoopShape::turnsRoundPatch: more

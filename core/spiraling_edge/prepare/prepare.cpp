@@ -97,15 +97,17 @@ class Preparation {
     Status takeRim() {
         if (!options_.rim) return takeGivenRim();
         StopWatch watch;
+        DerivedPieces& derived = report_.derived;
         for (std::uint8_t& type : set_.type) {
-            if (isRimPoint(type)) type = kInterior;
+            if (!isRimPoint(type)) continue;
+            type = kInterior;
+            derived.rim = true;
         }
         Result<Rim> rim = findRim(set_.position, set_.normal, set_.neighbors, set_.type,
                                   options_.neighbors.threads, upTo(1.0));
         if (!rim) return rim.error();
-        DerivedPieces& derived = report_.derived;
-        derived.rim = true;
         derived.rimPoints = rim.value().points();
+        derived.rim = derived.rim || derived.rimPoints > 0;
         derived.rimChains = rim.value().chains.size();
         set_.rim = std::move(rim.value().gap);
         for (Index p = 0; p < set_.size(); ++p) {

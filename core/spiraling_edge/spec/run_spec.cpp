@@ -1,5 +1,6 @@
 #include "spiraling_edge/spec/run_spec.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "spiraling_edge/base/outside_text.h"
@@ -64,7 +65,9 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
     options.scanner = spec.scanner;
     if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
     if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
-    options.rim = spec.rim;
+    // Rims that the file brings are not found again, unless the user says so.
+    options.rim = spec.rim || (params.robust.rim &&
+                               std::none_of(file.type.begin(), file.type.end(), isRimPoint));
     options.setNoiseAside = params.setNoiseAside;
     options.setStraysAside = params.setStraysAside;
     return options;

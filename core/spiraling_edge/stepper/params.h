@@ -80,7 +80,8 @@ struct RobustRules {
     /// A candidate with a triangle that is a second layer of a finished one nearby is dropped.
     bool noLayer = false;
     /// Where the neighbors of all three corners leave a wide gap, the surface ends: no triangle
-    /// over more than 120 degrees there, and a ring of mostly such points is an opening.
+    /// over more than 120 degrees there, and a ring of mostly such points is an opening. Points are
+    /// prepared with their rims (prepareOptionsOf()).
     bool rim = false;
     /// Fans with steep triangles wait until a circuit of the ring brought no triangle.
     bool delay = false;

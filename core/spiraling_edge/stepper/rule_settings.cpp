@@ -341,7 +341,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     beyondPaper(angle<kThresholds, &RobustThresholds::flatCosine>(
         "flatangle", "6.4",
         "nomeet, nolayer look only where normals about the pivot are farther apart", 0)),
-    robust<&RobustRules::rim>("rim", "7", "the surface ends where neighbors leave a wide gap"),
+    robust<&RobustRules::rim>(
+        "rim", "7", "rims are found, and the surface ends where neighbors leave a wide gap"),
     beyondPaper(angle<kThresholds, &RobustThresholds::rimGapCosine>(
         "rimgap", "7", "rim: the surface ends where neighbors leave more", 60)),
     beyondPaper(angle<kThresholds, &RobustThresholds::rimAngleCosine>(

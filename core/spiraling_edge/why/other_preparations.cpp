@@ -40,6 +40,7 @@ SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const P
     // What is derived or searched anyway.
     if (!file.hasNormals()) with.normals = NormalSource::Derived;
     if (!file.hasNeighbors()) with.neighbors.recompute = true;
+    if (ruleParams(with).robust.rim) with.rim = true;
     for (const FieldValue& each : change) {
         const RunSpec next = changed(with, {each});
         const bool present =

@@ -35,7 +35,9 @@ std::vector<Candidate> candidatesOf(const Params& params) {
     const Params robust = *paramsByName("robust");
     std::vector<Candidate> all;
     for (const RuleSetting& each : ruleSwitches()) {
-        if (!each.isOn(robust) || each.isOn(params)) continue;
+        // Rims are a preparation: --derive-rim.
+        const bool prepares = each.name == "rim";
+        if (prepares || !each.isOn(robust) || each.isOn(params)) continue;
         all.push_back({&each, params});
         each.turnOn(all.back().params);
     }

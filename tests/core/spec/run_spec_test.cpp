@@ -43,6 +43,22 @@ TEST_CASE("spec: a single rule that the user chose stays under another set of ru
     CHECK_FALSE(params.value().robust.delay);
 }
 
+TEST_CASE("spec: the rule rim finds the rims of files that bring none") {
+    PointFile file;
+    file.position = {Vec3(0.0)};
+    const auto findsRims = [&](const char* rules, const char* key, const char* text) {
+        const RunSpec spec = changed({}, specChange({{"rules", rules}, {key, text}}));
+        return prepareOptionsOf(spec, paramsOf(spec).value(), file).value().rim;
+    };
+    CHECK(findsRims("robust", "neighbors", "12"));
+    CHECK_FALSE(findsRims("robust", "switches", "rim=off"));
+    CHECK_FALSE(findsRims("corrected", "neighbors", "12"));
+    CHECK(findsRims("paper", "rim", "on"));
+    file.type = {kRimPoint};
+    CHECK_FALSE(findsRims("robust", "neighbors", "12"));
+    CHECK(findsRims("robust", "rim", "on"));
+}
+
 TEST_CASE("spec: what is kept is a rule turned off, whatever the set says") {
     const RunSpec spec = changed({}, specChange({{"rules", "robust"},
                                                  {"keep_opposing", "on"},
