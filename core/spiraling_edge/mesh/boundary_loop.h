@@ -1,8 +1,8 @@
 /// Boundary loops of a mesh, and whether each is a hole or an opening: decided from the mesh, the
-/// normals and the wall types alone, so that a run and a file agree. A hole lies in the middle of
+/// normals and the types alone, so that a run and a file agree. A hole lies in the middle of
 /// the surface; it is narrow, or its points see little of it: the free sector of a point at a round
 /// hole of six edges is 120 degrees. An opening is wide, and the surface ends at most of its
-/// points, by the measures of `rim` (fill.cpp); or it runs along the walls, or around a patch.
+/// points, by the measures of `rim` (fill.cpp); or it runs along walls or rims, or around a patch.
 #pragma once
 
 #include <cstddef>

@@ -92,7 +92,7 @@ struct DerivedPieces {
     bool normals = false;
     bool orientation = false;
     bool types = false;
-    bool rim = false;                  ///< Rim points were found, or those of the file were none.
+    bool rim = false;                  ///< Rim points were found, or those of the file dropped.
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
     std::size_t normalComponents = 0;  ///< Parts that were oriented independently.
     std::size_t unknownSides = 0;      ///< Of these: OrientationReport::unknownSides.

@@ -51,6 +51,12 @@ RunSpec withFixesAsOptions(RunSpec spec) {
     return spec;
 }
 
+bool findsRims(const Params& params, const RunSpec& spec, const PointFile& file) {
+    const bool given = spec.walls.from == WallChoice::From::File &&
+                       std::any_of(file.type.begin(), file.type.end(), isRimPoint);
+    return params.robust.rim && !given;
+}
+
 Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,
                                         const PointFile& file) {
     if (spec.scanner && file.hasNormals() && spec.normals == NormalSource::AsGiven) {
@@ -65,9 +71,7 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
     options.scanner = spec.scanner;
     if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
     if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
-    // Rims that the file brings are not found again, unless the user says so.
-    options.rim = spec.rim || (params.robust.rim &&
-                               std::none_of(file.type.begin(), file.type.end(), isRimPoint));
+    options.rim = spec.rim || findsRims(params, spec, file);
     options.setNoiseAside = params.setNoiseAside;
     options.setStraysAside = params.setStraysAside;
     return options;

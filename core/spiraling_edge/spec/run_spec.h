@@ -83,6 +83,10 @@ RunSpec specOf(const Params& params);
 /// own, and without fixes: for a file that the fixes which change it were applied to.
 RunSpec withFixesAsOptions(RunSpec spec);
 
+/// True if the rule `rim` finds the rims of `file`: on, and the file brings none, or the walls of a
+/// box take the place of its types.
+bool findsRims(const Params& params, const RunSpec& spec, const PointFile& file);
+
 /// The options of prepare() for points of `file`, which has the fixes. Fails if the scanner has no
 /// normals to turn.
 Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,

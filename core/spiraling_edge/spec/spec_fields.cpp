@@ -348,7 +348,7 @@ const std::array kFields{
     SpecField{"rim", "--derive-rim", "", "on",
               "Find where the surface ends without a wall, and treat the points there as boundary "
               "points, even if the file has some (--rules robust finds them if it has none)",
-              "true or false", "rims derived", "rims not derived", SpecGroup::Derived,
+              "true or false", "rims derived", "rims by the rules", SpecGroup::Derived,
               SpecType::Switch, false, "",
               [](RunSpec& s, std::string_view t) { return setSwitch(s.rim, t); },
               [](const RunSpec& s) { return listIf(s.rim, "on"); }},

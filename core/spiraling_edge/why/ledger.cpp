@@ -495,7 +495,7 @@ class LedgerBuilder {
     std::bitset<3> alive_;     ///< Points of the subject that may become spokes of the current fan.
     FilledGaps gaps_;          ///< Of this pivot.
     std::vector<Move> moves_;  ///< Of start and end, in this pivot.
-    Index reciprocal_ = kNone;    ///< The last point that passed the reciprocal test at this pivot.
+    Index reciprocal_ = kNone;  ///< The last point of the subject that passed the reciprocal test.
     std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
 };
 

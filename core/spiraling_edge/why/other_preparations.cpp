@@ -40,7 +40,8 @@ SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const P
     // What is derived or searched anyway.
     if (!file.hasNormals()) with.normals = NormalSource::Derived;
     if (!file.hasNeighbors()) with.neighbors.recompute = true;
-    if (ruleParams(with).robust.rim) with.rim = true;
+    const auto findRims = [&] { with.rim = with.rim || findsRims(ruleParams(with), with, file); };
+    findRims();
     for (const FieldValue& each : change) {
         const RunSpec next = changed(with, {each});
         const bool present =
@@ -51,7 +52,9 @@ SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const P
             each.field->key == "doctor" &&
             std::find(spec.fixes.begin(), spec.fixes.end(), each.text) != spec.fixes.end();
         if (!present && !derived && !fixed) left.push_back(each);
-        if (each.field->key == "rules") with = next;
+        if (each.field->key != "rules") continue;
+        with = next;
+        findRims();
     }
     return left;
 }

@@ -1,6 +1,6 @@
-/// Each rule is run from the start. Those come first that decide otherwise at one of the pivots in
-/// question, or edit the mesh after the last one: that is found by steps from the states of one
-/// run.
+/// Each rule is run from the start. Unless that takes half of the steps, those come first that
+/// decide otherwise at one of the pivots in question, or edit the mesh after the last one: that is
+/// found by steps from the states of one run.
 #include "spiraling_edge/why/prevention.h"
 
 #include <algorithm>
@@ -19,7 +19,6 @@ namespace se {
 namespace {
 
 // The work for each point in steps of a run, as measured on a million points.
-constexpr std::uint64_t kPointsOfForkPerStep = 8;  // A copy of the state, and a step with it.
 constexpr std::uint64_t kStepsToPrepare = 1;
 constexpr std::uint64_t kStepsToJudge = 5;  // Or to prepare the judge.
 
@@ -30,14 +29,13 @@ struct Candidate {
     bool differs = false;
 };
 
-/// The rules that `robust` has on and `params` has off, in the order of the table.
+/// The rules that `robust` has on and `params` has off, in the order of the table, but `rim`: the
+/// points would be others.
 std::vector<Candidate> candidatesOf(const Params& params) {
     const Params robust = *paramsByName("robust");
     std::vector<Candidate> all;
     for (const RuleSetting& each : ruleSwitches()) {
-        // Rims are a preparation: --derive-rim.
-        const bool prepares = each.name == "rim";
-        if (prepares || !each.isOn(robust) || each.isOn(params)) continue;
+        if (!each.isOn(robust) || each.isOn(params) || each.name == "rim") continue;
         all.push_back({&each, params});
         each.turnOn(all.back().params);
     }
@@ -75,10 +73,12 @@ class PreventionSearch {
     /// The verdict on the mesh with it; nothing where the steps did not last for one.
     const std::optional<MeshVerdict>& verdict() const { return verdict_; }
     /// "No single rule of robust, and none of 4 other preparations"; empty if nothing was tried, or
-    /// not all for the limit.
+    /// the steps did not last.
     std::string allTried() const {
         if (left_ == 0) return "";
-        const std::string rules = candidates_.empty() ? "" : "No single rule of robust";
+        const std::string rules = candidates_.empty()  ? ""
+                                  : params_.robust.rim ? "No single rule of robust"
+                                                       : "No single rule of robust but rim";
         if (prepared_ == 0) return rules;
         return (rules.empty() ? "None of " : rules + ", and none of ") +
                counted(prepared_, "other preparation");

@@ -14,8 +14,9 @@ namespace se {
 /// The extent of a search for a proof, and for what else changes the answer.
 struct ProofScope {
     std::size_t inversions = 20;  ///< That are run to the end.
-    /// Steps of all inversions, in runs; at least kLeastProofSteps in any case. What is left of
-    /// them, or of kLeastChangeSteps, is for the change that prevents the answer.
+    /// Steps of all inversions, in runs; at least kLeastProofSteps in any case. The change that
+    /// prevents the answer is looked for in those that they leave, or in kLeastChangeSteps less
+    /// three runs, whichever are more.
     double runs = 3.0;
     /// Found when a change is looked for that prevents the answer. Preparations are tried where no
     /// rule does; without a judge meshes are judged as by PointSet::judge. May be empty.

@@ -86,8 +86,8 @@ std::uint64_t proofStepsOf(const ProofScope& scope, std::uint64_t steps) {
     return std::max(kLeastProofSteps, stepsOf(scope, steps));
 }
 /// The steps for other rules and preparations.
-std::uint64_t changeStepsOf(const ProofScope& scope, std::uint64_t steps, std::uint64_t left) {
-    return std::max(left, kLeastChangeSteps - std::min(kLeastChangeSteps, stepsOf(scope, steps)));
+std::uint64_t changeStepsOf(std::uint64_t steps, std::uint64_t left) {
+    return std::max(left, kLeastChangeSteps - std::min(kLeastChangeSteps, stepsOf({}, steps)));
 }
 
 class Prover {
@@ -103,7 +103,11 @@ class Prover {
 
     Result<Proof> run(std::uint64_t steps, const ProofScope& scope) {
         if (all_.empty()) return Proof{.left = proofStepsOf(scope, steps)};
-        const bool wasCut = all_.size() >= kMostInvertible;
+        const std::size_t most =
+            std::max<std::size_t>(scope.inversions, std::max(kLeastProofSteps, steps) *
+                                                        kPointsOfForkPerStep / points_.size());
+        const bool wasCut = all_.size() >= std::min(kMostInvertible, most);
+        if (all_.size() > most) all_.resize(most);
         std::uint64_t looking = ~std::uint64_t{0};
         if (!lookAtPivots(params_, looking, all_)) return Error{"Cancelled."};
         sortByPromise();
@@ -354,7 +358,7 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
     if (!proof) return proof.error();
     settle(ledger, proof.value());
     if (!aim.findsChange) return success();
-    const std::uint64_t left = changeStepsOf(scope, length.steps, proof.value().left);
+    const std::uint64_t left = changeStepsOf(length.steps, proof.value().left);
     return addPrevention(points, params, length.pivots, aim, left, scope, ledger,
                          partOf(progress, kProofShare, 1.0));
 }

@@ -39,8 +39,7 @@ struct Invertible {
 };
 
 /// The decisions of a ledger that can be inverted: the cause, those that took a subject that is
-/// present or refused one that is absent, and the indirect ones; the latest first,
-/// 200 at most.
+/// present or refused one that is absent, and the indirect ones; the latest first, 200 at most.
 std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger);
 
 /// The effect of an inversion on an answer.
@@ -87,6 +86,9 @@ bool hasReached(const Stepper& stepper, std::uint32_t pivot);
 std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const ProofAim& aim,
                                   std::uint64_t& left, const GoesOn& goesOn);
 
+/// The points of a fork at a pivot, its state copied, that take as long as a step of a run.
+inline constexpr std::uint64_t kPointsOfForkPerStep = 8;
+
 /// The length of a run.
 struct RunLength {
     std::uint64_t steps = 0;   ///< Its pivots and the steps after the last one.
@@ -99,7 +101,8 @@ struct RunLength {
     }
 };
 
-/// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none.
+/// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none:
+/// those whose forks take the steps of a run, but at least as many as may be run to the ends.
 /// Their runs are made to the ends: those that show at once first, then that of the cause, of a
 /// present subject those of the pivot of the cause, then the later ones; up to the first that
 /// changes the answer. Where none does, the first that replaces a failure is taken. Two

@@ -8,6 +8,7 @@
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 
@@ -23,10 +24,7 @@ struct NamedRun {
 };
 NamedRun runOn(const PointFile& file, const std::string& rules) {
     const Params params = *paramsByName(rules);
-    PrepareOptions options;
-    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
-    options.setNoiseAside = params.setNoiseAside;
-    const auto points = prepare(file, options);
+    const auto points = prepare(file, prepareOptionsOf({}, params, file).value());
     REQUIRE(points.ok());
     const Run run = runAll(points.value().points, params);
     const MeshInspection found = inspectWithTotals(points.value().points, run.state.mesh());

@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"
@@ -18,9 +19,7 @@ namespace {
 std::optional<PointSet> shared(const std::string& name) {
     const auto file = sharedPoints("points/" + name + ".ply");
     if (!file) return std::nullopt;
-    PrepareOptions options;
-    options.setNoiseAside = robust().setNoiseAside;
-    auto result = prepare(*file, options);
+    auto result = prepare(*file, prepareOptionsOf({}, robust(), *file).value());
     REQUIRE_MESSAGE(result.ok(), name);
     return std::move(result.value().points);
 }

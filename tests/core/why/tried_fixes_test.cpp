@@ -1,6 +1,7 @@
 /// The doctor's advice, tried on files with planted faults: what is said of a command is what
 /// another run of it comes to.
 #include "spiraling_edge/why/tried_fixes.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 #include <limits>
 
@@ -20,10 +21,9 @@ namespace {
 /// The verdict on the mesh of a file, by plain calls.
 std::string endOfRun(const PointFile& file, const char* rules, NormalSource normals) {
     const Params params = *paramsByName(rules);
-    PrepareOptions options;
-    options.normals = normals;
-    options.setNoiseAside = params.setNoiseAside;
-    options.setStraysAside = params.setStraysAside;
+    RunSpec spec;
+    spec.normals = normals;
+    const PrepareOptions options = prepareOptionsOf(spec, params, file).value();
     Prepared prepared = prepare(file, options).value();
     prepared.points.judge = judgeFor(file, options, prepared.points).value();
     const State state = reconstruct(prepared.points, params).state;

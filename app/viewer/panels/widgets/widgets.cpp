@@ -705,7 +705,8 @@ bool drawWalls(const Fields& fields) {
     const bool entered = drawBoxFields(context, form.box);
     if (form.box != before) form.walls = From::Box;
     toggle(fields, "Find rims without walls", form.rim,
-           "Points where the surface ends without a wall are boundary points (--derive-rim)");
+           "Points where the surface ends without a wall are boundary points (--derive-rim); the "
+           "rule rim finds them where the file has none");
     return entered;
 }
 
