@@ -4,6 +4,7 @@
 #include "spiraling_edge/prepare/rim.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <utility>
@@ -125,6 +126,31 @@ constexpr std::size_t kNearestOfRim = 12;
 /// Of three points of a chain, this many must be candidates, and on no wall.
 constexpr std::size_t kOfThree = 2;
 
+/// True if neighbors lie in all six sectors of 60 degrees about p: a gap of 120 degrees would leave
+/// one of them empty. The sectors begin at 17 degrees, where lattices have no neighbors.
+bool isSurrounded(std::span<const Vec3> position, const Vec3& normal, Index p,
+                  std::span<const Index> list) {
+    constexpr FlatPoint kSectorBegins[] = {{0.95630475596303544, 0.29237170472273677},
+                                           {0.22495105434386500, 0.97437006478523525},
+                                           {-0.73135370161917048, 0.68199836006249848}};
+    constexpr unsigned kAllSectors = 6;
+    if (list.size() < kAllSectors) return false;
+    const Vec3 first = position[list[0]] - position[p];
+    const Vec3 x = first - glm::dot(first, normal) * normal;
+    const Vec3 y = glm::cross(normal, x);
+    unsigned sectors = 0;  // Of the eight combinations of sides, six occur.
+    for (const Index q : list) {
+        const Vec3 offset = position[q] - position[p];
+        const FlatPoint along{glm::dot(x, offset), glm::dot(y, offset)};
+        if (along == FlatPoint(0.0)) continue;
+        unsigned sides = 0;
+        for (const FlatPoint& line : kSectorBegins)
+            sides = 2 * sides + (line.x * along.y - line.y * along.x >= 0.0 ? 1U : 0U);
+        sectors |= 1U << sides;
+    }
+    return std::popcount(sectors) == kAllSectors;
+}
+
 /// The widest gap at p, of any width.
 Gap widestGap(std::span<const Vec3> position, std::span<const Vec3> normal,
               const NeighborLists& lists, Index p) {
@@ -163,8 +189,10 @@ class RimSearch {
     /// False if cancelled. Gaps are found independently; the walks from them are cheap.
     bool findCandidates(unsigned threads, const Progress& progress) {
         widest_.resize(position_.size());
-        const auto look = [this](std::size_t p) {
-            widest_[p] = widestGap(position_, normal_, lists_, static_cast<Index>(p));
+        const auto look = [this](std::size_t i) {
+            const auto p = static_cast<Index>(i);
+            if (isSurrounded(position_, normal_[p], p, lists_[p])) return;
+            widest_[p] = widestGap(position_, normal_, lists_, p);
         };
         if (!forEachWithProgress(widest_.size(), threads, kPerThread, progress, look)) return false;
         for (Index p = 0; p < position_.size(); ++p) rim_.candidates += candidate(p) ? 1U : 0U;
@@ -260,7 +288,7 @@ class RimSearch {
     const NeighborLists& lists_;
     std::span<const std::uint8_t> type_;
     Rim rim_;
-    std::vector<Gap> widest_;   ///< Per point.
+    std::vector<Gap> widest_;   ///< Per point that is not surrounded.
     std::vector<Index> place_;  ///< Position of each point on the current path, else kNone.
     std::vector<bool> walked_;  ///< Per list entry: the step to it.
 };
