@@ -4,7 +4,8 @@
 Prints a Markdown table, a row for each file, and what it comes to. PROGRAM: build/bin/spiraling-edge. OLD: an
 earlier program; its meshes are judged by `check` of PROGRAM too, so that both are counted alike. A cell is the
 number of places with faults, then each count of docs/robust.md, "Better", that is not 0. A run that takes longer
-than LIMIT seconds (environment, 300) is a cell as well. Exit code 1 if settings that `--best` takes are worse than
+than LIMIT seconds (environment, 300) is a cell as well. ONLY (environment) names the settings to run, such as
+`robust`. Exit code 1 if settings that `--best` takes are worse than
 `robust` in any count of any file, or if its work is more than 25 times that of its dearest run. Where it takes none,
 or `robust` makes no triangle, there is nothing to compare; such files are named.
 """
@@ -26,6 +27,7 @@ COUNTS = {
 }
 SETTINGS = {"paper": ["--rules", "paper"], "robust": ["--rules", "robust"], "best": ["--best"]}
 LIMIT = int(os.environ.get("LIMIT", "300"))
+ONLY = os.environ.get("ONLY", " ".join(SETTINGS)).split()
 work = pathlib.Path(tempfile.mkdtemp())
 
 
@@ -78,10 +80,10 @@ def main():
     before = words[1] if words[:1] == ["--before"] else None
     program, *files = words[2:] if before else words
     sides = ([("before", before)] if before else []) + [("now", program)]
-    columns = [(name, side, by) for name in SETTINGS for side, by in sides]
+    columns = [(name, side, by) for name in SETTINGS if name in ONLY for side, by in sides]
     print("| file |" + "".join(f" {name}{', ' + side if before else ''} |" for name, side, _ in columns))
     print("|---" * (len(columns) + 1) + "|")
-    costs, sound, judged_worse = [], {}, {}
+    costs, sound, sums, judged_worse = [], {}, {}, {}
     for file in files:
         judged, reports = {}, {}
         for name, side, by in columns:
@@ -93,19 +95,24 @@ def main():
         whole = {key: None if isinstance(v, str) else v for key, v in judged.items()}
         for key, v in whole.items():
             sound[key] = sound.get(key, 0) + bool(v and v["sound"])
+        # Only where each side has a mesh, so that they count the same files.
+        for key, v in whole.items() if all(v and v["triangles"] for v in whole.values()) else ():
+            for count in ("places", "faults", *COUNTS):
+                sums.setdefault(key, {}).setdefault(count, 0)
+                sums[key][count] += v[count]
         for side, _ in sides:
-            if not worse(whole["best", side], whole["robust", side]):
+            if not worse(whole.get(("best", side)), whole.get(("robust", side))):
                 continue
             empty = whole["robust", side]["triangles"] == 0
             none_taken = reports["best", side].get("best", {}).get("chosen") == 0
             kind = "not comparable" if empty or none_taken else "worse"
             judged_worse.setdefault((side, kind), []).append(pathlib.Path(file).stem)
-        spent = [trial["work"] for trial in reports["best", "now"].get("best", {}).get("tried", [])]
+        spent = [trial["work"] for trial in reports.get(("best", "now"), {}).get("best", {}).get("tried", [])]
         if spent and max(spent):
             costs.append(sum(spent) / max(spent))
     print()
     for key, count in sound.items():
-        print(f"sound by {key[0]}, {key[1]}: {count} of {len(files)}")
+        print(f"sound by {key[0]}, {key[1]}: {count} of {len(files)}; in sum", ", ".join(f"{n} {c}" for c, n in sums.get(key, {}).items()))
     for side, _ in sides:
         for kind in ("worse", "not comparable"):
             names = judged_worse.get((side, kind), [])
