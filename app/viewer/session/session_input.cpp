@@ -10,12 +10,6 @@ namespace se::view {
 
 namespace {
 
-/// True if the points would be prepared in the same way.
-bool sameInput(const Params& a, const Params& b) {
-    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside &&
-           a.setStraysAside == b.setStraysAside && a.robust.rim == b.robust.rim;
-}
-
 Result<Opened> openInput(const RunSpec& spec, LoadProgress& progress) {
     Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
@@ -28,7 +22,7 @@ Result<Opened> openInput(const RunSpec& spec, LoadProgress& progress) {
 Result<Opened> openAgain(const RunSpec& spec, const Rerun& rerun, LoadProgress& progress) {
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
-    if (!sameInput(params.value(), rerun.model->params)) return openInput(spec, progress);
+    if (!preparesAlike(params.value(), rerun.model->params)) return openInput(spec, progress);
     auto model = std::make_shared<Model>(*rerun.model);
     model->params = params.value();
     return Opened{std::move(model), nullptr, nullptr};

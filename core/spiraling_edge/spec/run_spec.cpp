@@ -77,6 +77,11 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
     return options;
 }
 
+bool preparesAlike(const Params& a, const Params& b) {
+    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside &&
+           a.setStraysAside == b.setStraysAside && a.robust.rim == b.robust.rim;
+}
+
 RunSpec withRulesOf(RunSpec spec, const RunSpec& rules) {
     spec.rules = rules.rules;
     spec.choices = rules.choices;

@@ -87,6 +87,9 @@ RunSpec withFixesAsOptions(RunSpec spec);
 /// box take the place of its types.
 bool findsRims(const Params& params, const RunSpec& spec, const PointFile& file);
 
+/// True if prepareOptionsOf() gives the same with both, whatever the file.
+bool preparesAlike(const Params& a, const Params& b);
+
 /// The options of prepare() for points of `file`, which has the fixes. Fails if the scanner has no
 /// normals to turn.
 Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,

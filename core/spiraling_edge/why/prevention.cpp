@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -35,9 +36,10 @@ std::vector<Candidate> candidatesOf(const Params& params) {
     const Params robust = *paramsByName("robust");
     std::vector<Candidate> all;
     for (const RuleSetting& each : ruleSwitches()) {
-        if (!each.isOn(robust) || each.isOn(params) || each.name == "rim") continue;
-        all.push_back({&each, params});
-        each.turnOn(all.back().params);
+        if (!each.isOn(robust) || each.isOn(params)) continue;
+        Params with = params;
+        each.turnOn(with);
+        if (preparesAlike(with, params)) all.push_back({&each, with});
     }
     return all;
 }

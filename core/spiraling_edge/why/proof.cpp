@@ -75,6 +75,7 @@ struct RunExtent {
 bool addRivals(const PointSet& points, const Params& params, const RunExtent& run,
                std::span<const Triangle> made, std::span<const std::size_t> rivals, Ledger& ledger,
                const Progress& progress) {
+    if (rivals.empty()) return true;
     std::set<std::uint32_t> pivots;
     std::vector<Triangle> corners;
     for (const std::size_t each : rivals) {

@@ -371,11 +371,7 @@ void addMakings(const PointSet& points, const Params& params, const SweptPivot& 
         const Subject made = Subject::triangle(emit->corners.a, emit->corners.b, emit->corners.c);
         if (!isInMesh(triangles, made)) continue;
         for (LedgerLine line : linesAt(points, params, made, pivot)) {
-            const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
-            const bool known = std::any_of(
-                ledger.lines.begin(), ledger.lines.end(),
-                [&](const LedgerLine& each) { return each.event.address == line.event.address; });
-            if (!decided || known) continue;
+            if (line.role != LineRole::Taken && line.role != LineRole::Indirect) continue;
             line.role = LineRole::Indirect;
             ledger.lines.push_back(line);
         }

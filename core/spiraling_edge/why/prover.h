@@ -117,11 +117,13 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
                 Ledger& ledger, const Progress& progress);
 
 /// Adds to a ledger, as indirect lines at its end, the tests of a pivot that made any of these
-/// triangles: those that took their corners or made way for them.
+/// triangles: those that took their corners or made way for them. sortLines() leaves out what the
+/// ledger had before.
 void addMakings(const PointSet& points, const Params& params, const SweptPivot& pivot,
                 std::span<const Triangle> triangles, Ledger& ledger);
 
-/// Puts the lines of a ledger into the order of their addresses, each once; the cause stays.
+/// Puts the lines of a ledger into the order of their addresses, each once, of those with one
+/// address the first; the cause stays.
 void sortLines(Ledger& ledger);
 
 }  // namespace se

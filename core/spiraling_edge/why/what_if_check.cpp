@@ -89,9 +89,10 @@ std::size_t repeatedEdges(const std::vector<Triangle>& triangles, std::size_t fr
             end = std::max(end, side.first + 1);
         }
     }
+    if (made.empty()) return count;
     std::vector<bool> begins(end, false);
     for (const auto& side : made) begins[side.first] = true;
-    for (std::size_t i = 0; i < from && !made.empty(); ++i) {
+    for (std::size_t i = 0; i < from; ++i) {
         for (const auto& side : sides(triangles[i]))
             count += side.first < end && begins[side.first] && made.contains(side) ? 1 : 0;
     }
