@@ -23,6 +23,11 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
     void tryFixes();
     /// Takes their effects. True if there was anything new.
     bool pollFixes() { return fixes_.poll(); }
+    /// Blocks until the examination, or what tryFixes() started, is complete.
+    void waitUntilDone() {
+        BackgroundQuery::waitUntilDone();
+        fixes_.waitUntilDone();
+    }
     bool done() const { return answer() != nullptr; }
     /// Empty before the examination is done; with Finding::tried once all were tried.
     std::span<const Finding> findings() const {
