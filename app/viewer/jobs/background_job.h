@@ -154,7 +154,8 @@ class BackgroundQuery {
                           pass = std::shared_ptr<Sweep>()](Results& results) mutable {
             if (!pass) {
                 question = make(*model);
-                pass = std::make_shared<Sweep>(model->points, model->params, question.visit);
+                pass = std::make_shared<Sweep>(model->points, model->params, question.visit,
+                                               question.wants);
             }
             const bool more = pass->advance(kPivotsPerReport);
             if (!more) results.add(question.answer(pass->state()));

@@ -30,17 +30,29 @@ PivotTally tallyOf(std::span<const Event> events) {
     return tally;
 }
 
-Sweep::Sweep(SharedPoints points, const Params& params, PivotVisitor visit)
-    : visit_(std::move(visit)), stepper_(std::move(points), params, &log_) {
+Sweep::Sweep(SharedPoints points, const Params& params, PivotVisitor visit, PivotChoice wants)
+    : visit_(std::move(visit)),
+      wants_(std::move(wants)),
+      stepper_(std::move(points), params, &log_) {
     assert(validate(stepper_.points()).ok());
+}
+
+std::optional<Index> Sweep::passedOver() const {
+    const State& before = stepper_.state();
+    if (!wants_ || before.phase != Phase::Pivot) return {};
+    const Index point = before.rings.point(before.pivot.pivot);
+    return wants_(point, before) ? std::nullopt : std::optional(point);
 }
 
 bool Sweep::advance(std::uint32_t pivots) {
     for (; pivots > 0; --pivots) {
+        const std::optional<Index> passed = passedOver();
+        stepper_.setLog(passed ? nullptr : &log_);
         const bool more = stepper_.stepPivot();
         stepper_.freePast();
         const std::vector<Event>& events = log_.events();
-        if (!events.empty()) visit_({pivotPoint(events), events, stepper_.state()});
+        if (passed || !events.empty())
+            visit_({passed.value_or(pivotPoint(events)), events, stepper_.state()});
         log_.clear();
         if (!more) return false;
     }
@@ -53,8 +65,8 @@ double Sweep::share() const {
 }
 
 std::optional<State> sweep(const PointSet& points, const Params& params, const PivotVisitor& visit,
-                           const Progress& progress) {
-    Sweep pass(points, params, visit);
+                           const Progress& progress, const PivotChoice& wants) {
+    Sweep pass(points, params, visit, wants);
     do {
         if (progress && !progress(pass.share())) return {};
     } while (pass.advance(kPivotsPerReport));

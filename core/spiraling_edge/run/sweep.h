@@ -30,7 +30,7 @@ Index pivotPoint(std::span<const Event> events);
 /// One pivot of a run, or one step after the last pivot.
 struct SweptPivot {
     Index point = kNone;            ///< pivotPoint() of the events.
-    std::span<const Event> events;  ///< All events of the pivot, in order.
+    std::span<const Event> events;  ///< All events of the pivot, in order; none if passed over.
     const State& after;             ///< The state after the pivot.
 };
 
@@ -45,15 +45,19 @@ struct PivotTally {
 /// The tally of one pivot; `events` are all of its events.
 PivotTally tallyOf(std::span<const Event> events);
 
-/// Called with each pivot of a run that has events, in order.
+/// Called with each pivot of a run that has events, in order, and with each that is passed over.
 using PivotVisitor = std::function<void(const SweptPivot&)>;
+/// True if the events of a pivot at `point` are wanted, given the state before it. Else they are
+/// not made, which takes a third of the time. Seeds, ears and the steps after the last pivot are
+/// always wanted.
+using PivotChoice = std::function<bool(Index point, const State& before)>;
 
 /// One pass through a run from the start, which can be made a few pivots at a time: a thread makes
 /// it in one go, a program without threads between two pictures. Deterministic.
 class Sweep {
   public:
-    /// Requires a valid PointSet.
-    Sweep(SharedPoints points, const Params& params, PivotVisitor visit);
+    /// Requires a valid PointSet. Without `wants` every pivot is wanted.
+    Sweep(SharedPoints points, const Params& params, PivotVisitor visit, PivotChoice wants = {});
     // The stepper writes to the log of this object.
     Sweep(const Sweep&) = delete;
     Sweep& operator=(const Sweep&) = delete;
@@ -68,7 +72,11 @@ class Sweep {
     State takeState() { return stepper_.takeState(); }
 
   private:
+    /// The point of the next pivot if it is passed over.
+    std::optional<Index> passedOver() const;
+
     PivotVisitor visit_;
+    PivotChoice wants_;
     EventLog log_;
     Stepper stepper_;
 };
@@ -76,20 +84,22 @@ class Sweep {
 /// A whole pass. Returns the state at the end; nothing if `progress`, which gets Sweep::share(),
 /// cancelled.
 std::optional<State> sweep(const PointSet& points, const Params& params, const PivotVisitor& visit,
-                           const Progress& progress = {});
+                           const Progress& progress = {}, const PivotChoice& wants = {});
 
 /// A question about a run that one pass answers. It borrows the points and params of the run.
 template <typename Answer>
 struct Question {
     PivotVisitor visit;
     std::function<Result<Answer>(const State& end)> answer;
+    PivotChoice wants = {};
 };
 
 /// Makes the pass that answers a question. Fails also if `progress` cancelled.
 template <typename Answer>
 Result<Answer> ask(const PointSet& points, const Params& params, const Question<Answer>& question,
                    const Progress& progress = {}) {
-    const std::optional<State> end = sweep(points, params, question.visit, progress);
+    const std::optional<State> end =
+        sweep(points, params, question.visit, progress, question.wants);
     if (!end) return Error{"Cancelled."};
     return question.answer(*end);
 }

@@ -499,6 +499,23 @@ class LedgerBuilder {
     std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
 };
 
+/// False if no event of a pivot can name a point of the subject: those of a pivot name it, points
+/// on edge rings, neighbors of the pivot and the ends of its gap in a rim.
+bool mayName(const PointSet& points, const Params& params, const Subject& subject, Index pivot,
+             const State& before) {
+    const bool hasOwnList = std::any_of(
+        params.whatIf.begin(), params.whatIf.end(),
+        [&](const WhatIf& each) { return each.kind == WhatIfKind::List && each.point == pivot; });
+    if (hasOwnList) return true;
+    const auto list = points.neighbors[pivot];
+    const RimGap gap = points.gapAt(pivot);
+    const auto isNear = [&](Index p) {
+        return p == pivot || before.status[p] > kUnused || p == gap.from || p == gap.to ||
+               std::find(list.begin(), list.end(), p) != list.end();
+    };
+    return std::any_of(subject.points().begin(), subject.points().end(), isNear);
+}
+
 std::optional<Error> subjectError(const PointSet& points, const Subject& subject) {
     for (std::size_t i = 0; i < subject.size(); ++i) {
         if (subject[i] >= points.size()) {
@@ -529,6 +546,9 @@ Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& param
                             [builder](const State& end) -> Result<Ledger> {
                                 if (auto error = builder->withoutDecision(end)) return *error;
                                 return builder->finish(end);
+                            },
+                            [&points, &params, subject](Index pivot, const State& before) {
+                                return mayName(points, params, subject, pivot, before);
                             }};
 }
 

@@ -140,7 +140,8 @@ Result<AskedSubject> askSubject(const PointSet& points, const Params& params,
         run.add(pivot);
         question.value().visit(pivot);
     };
-    const auto end = sweep(points, params, visit, partOf(progress, 0.0, 0.5));
+    const auto end =
+        sweep(points, params, visit, partOf(progress, 0.0, 0.5), question.value().wants);
     if (!end) return Error{"Cancelled."};
     const Result<Ledger> ledger = question.value().answer(*end);
     if (!ledger) return ledger.error();

@@ -23,6 +23,21 @@ Ledger ask(const PointSet& points, const Params& params, const Subject& subject)
     return ledger.value();
 }
 
+/// Checks that a pass which passes over no pivot finds the same lines.
+void checkNothingMissed(const PointSet& points, const Params& params, const Subject& subject,
+                        const Ledger& ledger) {
+    Question<Ledger> question = whyQuestion(points, params, subject).value();
+    question.wants = {};
+    const Ledger whole = se::ask(points, params, question).value();
+    CHECK(ledger.answer == whole.answer);
+    REQUIRE(ledger.lines.size() == whole.lines.size());
+    for (std::size_t i = 0; i < ledger.lines.size(); ++i) {
+        CAPTURE(i);
+        CHECK(ledger.lines[i].event.address == whole.lines[i].event.address);
+        CHECK(ledger.lines[i].role == whole.lines[i].role);
+    }
+}
+
 /// Checks of an answer for a subject: it agrees with the mesh, and its cause is a decision of
 /// that run at its address and about the subject.
 void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Subject& subject,
@@ -48,7 +63,9 @@ void checkRandomSubjects(const PointSet& points, const Params& params, std::size
     timeline.seek(0xffffffffU);
     const std::vector<Triangle> mesh = timeline.state().mesh();
     const auto check = [&](const Subject& subject) {
-        checkAnswer(timeline, mesh, subject, ask(points, params, subject));
+        const Ledger ledger = ask(points, params, subject);
+        checkAnswer(timeline, mesh, subject, ledger);
+        checkNothingMissed(points, params, subject, ledger);
     };
     Random random(7);
     for (std::size_t i = 0; i < count; ++i) {
@@ -109,6 +126,27 @@ TEST_CASE("ledger: the same on points that no surface gave, with and without the
         checkRandomSubjects(points, paper(), 6);
         checkRandomSubjects(points, *paramsByName("robust"), 6);
     }
+}
+
+TEST_CASE("ledger: a neighbor that a what-if puts on the list of a pivot is not missed") {
+    const PointSet points = sceneNamed("sphere");
+    Timeline timeline(points, paper());
+    timeline.seek(60);
+    const Index pivot = timeline.state().rings.point(timeline.state().pivot.pivot);
+    const auto list = points.neighbors[pivot];
+    Index far = 0;
+    while (timeline.state().status[far] != kUnused ||
+           std::find(list.begin(), list.end(), far) != list.end())
+        ++far;
+    WhatIf longer{WhatIfKind::List, 1, Stage::Pivot, pivot, Vec3(0.0), {}};
+    longer.list.assign(list.begin(), list.end());
+    longer.list.push_back(far);
+    Params params = paper();
+    params.whatIf = {longer};
+    const Ledger ledger = ask(points, params, Subject::point(far));
+    checkNothingMissed(points, params, Subject::point(far), ledger);
+    CHECK(std::any_of(ledger.lines.begin(), ledger.lines.end(),
+                      [&](const LedgerLine& line) { return line.pivot == pivot; }));
 }
 
 TEST_CASE("ledger: a point in no triangle was refused by a test, and the ledger names the last") {
