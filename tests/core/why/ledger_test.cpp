@@ -33,7 +33,7 @@ void checkNothingMissed(const PointSet& points, const Params& params, const Subj
     REQUIRE(ledger.lines.size() == whole.lines.size());
     for (std::size_t i = 0; i < ledger.lines.size(); ++i) {
         CAPTURE(i);
-        CHECK(ledger.lines[i].event.address == whole.lines[i].event.address);
+        CHECK(toString(ledger.lines[i].event.address) == toString(whole.lines[i].event.address));
         CHECK(ledger.lines[i].role == whole.lines[i].role);
     }
 }
