@@ -48,8 +48,7 @@ PivotTally tallyOf(std::span<const Event> events);
 /// Called with each pivot of a run that has events, in order, and with each that is passed over.
 using PivotVisitor = std::function<void(const SweptPivot&)>;
 /// True if the events of a pivot at `point` are wanted, given the state before it. Else they are
-/// not made, which takes a third of the time. Seeds, ears and the steps after the last pivot are
-/// always wanted.
+/// not made. Seeds, ears and the steps after the last pivot are always wanted.
 using PivotChoice = std::function<bool(Index point, const State& before)>;
 
 /// One pass through a run from the start, which can be made a few pivots at a time: a thread makes
