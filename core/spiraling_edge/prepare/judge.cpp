@@ -305,50 +305,67 @@ Status findOpenings(unsigned threads, const Progress& progress, MeshJudge& judge
     return success();
 }
 
-Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, const PointSet* run,
-                      const Progress& progress) {
+/// An intake, and its judge, which lacks only the openings.
+struct Measured {
+    Intake intake;
+    std::shared_ptr<MeshJudge> judge = std::make_shared<MeshJudge>();
+};
+
+Result<Measured> measured(const PointFile& file, const PrepareOptions& options, const PointSet* run,
+                          const Progress& progress) {
     if (const Status status = checkColumns(file); !status) return status.error();
     const unsigned threads = options.neighbors.threads;
-    Intake intake;
+    Measured result;
+    Intake& intake = result.intake;
+    MeshJudge& judge = *result.judge;
     intake.placed = placedPoints(file.position, file.farValues);
     if (const Status found =
             findSurroundings(file, {}, threads, partOf(progress, 0.0, kListsDone), intake);
         !found)
         return found.error();
-    auto judge = std::make_shared<MeshJudge>();
-    judge->facts.points = file.position.size();
-    const std::vector<Vec3> right = rightNormals(file, threads, intake, judge->facts);
+    judge.facts.points = file.position.size();
+    const std::vector<Vec3> right = rightNormals(file, threads, intake, judge.facts);
     const std::vector<bool> stray =
         strayPoints(file.position, intake.present, intake.nearest, threads);
-    measureExtent(file, intake, stray, judge->facts);
-    Result<PointSet> points = pointsFor(file, options, right, stray, judge->facts,
+    measureExtent(file, intake, stray, judge.facts);
+    Result<PointSet> points = pointsFor(file, options, right, stray, judge.facts,
                                         partOf(progress, kMeasuredDone, kPreparedDone));
     if (!points) return points.error();
-    judge->points = std::move(points.value());
-    if (const Status measured = measureWithoutNoise(file, stray, threads, intake, *judge);
-        !measured)
-        return measured.error();
+    judge.points = std::move(points.value());
+    if (const Status done = measureWithoutNoise(file, stray, threads, intake, judge); !done)
+        return done.error();
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
-    if (run != nullptr && named) turnAsInRun(intake, *run, judge->points);
-    if (const Status found = findOpenings(threads, partOf(progress, kPreparedDone, 1.0), *judge);
-        !found)
-        return found.error();
-    intake.judge = std::move(judge);
-    return intake;
+    if (run != nullptr && named) turnAsInRun(intake, *run, judge.points);
+    return result;
 }
 
 Result<std::shared_ptr<const MeshJudge>> judged(const PointFile& file,
                                                 const PrepareOptions& options, const PointSet* run,
                                                 const Progress& progress) {
-    Result<Intake> intake = takeIn(file, options, run, progress);
-    if (!intake) return intake.error();
-    return std::move(intake.value().judge);
+    std::shared_ptr<MeshJudge> judge;
+    {
+        // The intake takes as much memory as the points.
+        Result<Measured> result = measured(file, options, run, progress);
+        if (!result) return result.error();
+        judge = std::move(result.value().judge);
+    }
+    if (const Status found =
+            findOpenings(options.neighbors.threads, partOf(progress, kPreparedDone, 1.0), *judge);
+        !found)
+        return found.error();
+    return std::shared_ptr<const MeshJudge>(std::move(judge));
 }
 
 }  // namespace
 
 Result<Intake> takeIn(const PointFile& file, const Progress& progress) {
-    return takeIn(file, {}, nullptr, progress);
+    Result<Measured> result = measured(file, {}, nullptr, progress);
+    if (!result) return result.error();
+    auto& [intake, judge] = result.value();
+    if (const Status found = findOpenings(0, partOf(progress, kPreparedDone, 1.0), *judge); !found)
+        return found.error();
+    intake.judge = std::move(judge);
+    return std::move(intake);
 }
 
 Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,

@@ -10,24 +10,36 @@ namespace se {
 
 namespace {
 
-/// The first entries of each list, followed by the points that have it among theirs.
-NeighborLists withListers(const NeighborLists& lists, std::size_t most) {
-    const auto firstOf = [&](Index p) { return lists[p].first(std::min(most, lists[p].size())); };
+/// The first entries of the list of p.
+std::span<const Index> firstOf(const NeighborLists& lists, Index p, std::size_t most) {
+    return lists[p].first(std::min(most, lists[p].size()));
+}
+
+/// The first entries of each list, followed by the points that have it among theirs and are not
+/// among its own. `mutual`: of each entry of `lists`, whether its point has this one, too.
+NeighborLists withListers(const NeighborLists& lists, std::size_t most,
+                          const std::vector<std::uint8_t>& mutual) {
     NeighborLists both;
     both.offset.assign(lists.size() + 1, 0);
-    for (Index p = 0; p < lists.size(); ++p) {
-        both.offset[p + std::size_t{1}] += static_cast<std::uint32_t>(firstOf(p).size());
-        for (const Index q : firstOf(p)) ++both.offset[q + std::size_t{1}];
-    }
+    const auto forEachLister = [&](const auto& add) {
+        for (Index p = 0; p < lists.size(); ++p) {
+            std::size_t entry = lists.offset[p];
+            for (const Index q : firstOf(lists, p, most)) {
+                if (mutual[entry++] == 0) add(q, p);
+            }
+        }
+    };
+    for (Index p = 0; p < lists.size(); ++p)
+        both.offset[p + std::size_t{1}] =
+            static_cast<std::uint32_t>(firstOf(lists, p, most).size());
+    forEachLister([&](Index q, Index /*p*/) { ++both.offset[q + std::size_t{1}]; });
     std::partial_sum(both.offset.begin(), both.offset.end(), both.offset.begin());
     both.ids.resize(both.offset.back());
     std::vector<std::uint32_t> next(both.offset.begin(), both.offset.end() - 1);
     for (Index p = 0; p < lists.size(); ++p) {
-        for (const Index q : firstOf(p)) {
-            both.ids[next[p]++] = q;
-            both.ids[next[q]++] = p;
-        }
+        for (const Index q : firstOf(lists, p, most)) both.ids[next[p]++] = q;
     }
+    forEachLister([&](Index q, Index p) { both.ids[next[q]++] = p; });
     return both;
 }
 
@@ -69,17 +81,32 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    NeighborLists both = withListers(lists, most);
-    std::vector<std::uint32_t> length(n);
     constexpr std::size_t kPerThread = 4096;
-    const bool all = forEachWithProgress(n, threads, kPerThread, progress, [&](std::size_t i) {
+    constexpr double kMutualDone = 0.3;
+    const Error cancelled{"making neighbor lists symmetric was cancelled"};
+    std::vector<std::uint8_t> mutual(lists.ids.size(), 0);
+    const auto findMutual = [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
+        std::size_t entry = lists.offset[p];
+        for (const Index q : firstOf(lists, p, most)) {
+            const auto back = firstOf(lists, q, most);
+            mutual[entry++] = std::find(back.begin(), back.end(), p) != back.end() ? 1 : 0;
+        }
+    };
+    if (!forEachWithProgress(n, threads, kPerThread, partOf(progress, 0.0, kMutualDone),
+                             findMutual))
+        return cancelled;
+    NeighborLists both = withListers(lists, most, mutual);
+    std::vector<std::uint32_t> length(n);
+    const auto sortRow = [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
         std::vector<Index> row(both[p].begin(), both[p].end());
         sortNearestFirst(position, p, row);
         std::copy(row.begin(), row.end(), both.ids.begin() + both.offset[p]);
         length[p] = static_cast<std::uint32_t>(row.size());
-    });
-    if (!all) return Error{"making neighbor lists symmetric was cancelled"};
+    };
+    if (!forEachWithProgress(n, threads, kPerThread, partOf(progress, kMutualDone, 1.0), sortRow))
+        return cancelled;
     shorten(length, both);
     return both;
 }
