@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/word_list.h"

@@ -158,8 +158,7 @@ void leaveOutConsequences(std::vector<Finding>& findings) {
     for (const Consequences& row : kConsequences) {
         if (!isFound(row.cause)) continue;
         std::erase_if(findings, [&](const Finding& finding) {
-            return std::find(row.checks.begin(), row.checks.end(), finding.check->name) !=
-                   row.checks.end();
+            return isAmong(finding.check->name, row.checks);
         });
     }
 }
@@ -193,9 +192,7 @@ std::string_view severityName(Severity severity) {
 std::span<const DoctorCheck> doctorChecks() { return kChecks; }
 
 const DoctorCheck* findDoctorCheck(std::string_view name) {
-    const auto found = std::find_if(kChecks.begin(), kChecks.end(),
-                                    [&](const DoctorCheck& check) { return check.name == name; });
-    return found == kChecks.end() ? nullptr : &*found;
+    return rowWhere(kChecks, [&](const DoctorCheck& check) { return check.name == name; });
 }
 
 namespace {
@@ -236,13 +233,12 @@ bool hasProblem(const Diagnosis& diagnosis) {
 ProposedDrop proposedDrop(const Diagnosis& diagnosis, std::span<const std::string> checks) {
     ProposedDrop drop;
     for (const Finding& finding : diagnosis.findings) {
-        if (std::find(checks.begin(), checks.end(), finding.check->name) == checks.end()) continue;
+        if (!isAmong(finding.check->name, checks)) continue;
         drop.points.insert(drop.points.end(), finding.toDrop().begin(), finding.toDrop().end());
         if (drop.reason.find(finding.dropReason) != std::string::npos) continue;
         drop.reason.append(drop.reason.empty() ? "" : ", ").append(finding.dropReason);
     }
-    std::sort(drop.points.begin(), drop.points.end());
-    drop.points.erase(std::unique(drop.points.begin(), drop.points.end()), drop.points.end());
+    sortUnique(drop.points);
     return drop;
 }
 

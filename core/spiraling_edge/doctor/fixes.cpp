@@ -26,7 +26,7 @@ class FixApplication {
         markAsked(alsoDrop, reason);
         scaleNormals();
         correctCorners();
-        const bool all = std::find(keep_.begin(), keep_.end(), false) == keep_.end();
+        const bool all = !isAmong(false, keep_);
         if (!all) number_ = keptNumbers(keep_);
         cleanLists();
         if (!all) {

@@ -28,8 +28,7 @@ std::optional<Finding> entriesAt(const ExaminedFile& examined, Severity severity
 
 std::optional<Finding> findEntriesOutside(const ExaminedFile& examined) {
     const auto count = [n = examined.size()](Index, std::span<const Index> list) {
-        return static_cast<std::size_t>(
-            std::count_if(list.begin(), list.end(), [n](Index q) { return q >= n; }));
+        return countWhere(list, [n](Index q) { return q >= n; });
     };
     return entriesAt(examined, Severity::Error, "for points that do not exist", count);
 }
@@ -87,13 +86,8 @@ std::optional<Finding> findShortLists(const ExaminedFile& examined) {
 std::optional<Finding> findUnsymmetricLists(const ExaminedFile& examined) {
     const NeighborLists& lists = examined.file.neighbors;
     const auto count = [&](Index p, std::span<const Index> list) {
-        std::size_t unanswered = 0;
-        for (const Index q : list) {
-            if (q >= examined.size()) continue;
-            const auto answer = lists[q];
-            if (std::find(answer.begin(), answer.end(), p) == answer.end()) ++unanswered;
-        }
-        return unanswered;
+        return countWhere(list,
+                          [&](Index q) { return q < examined.size() && !isAmong(p, lists[q]); });
     };
     return entriesAt(examined, Severity::Note, "for points that do not list back", count);
 }

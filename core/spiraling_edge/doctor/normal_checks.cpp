@@ -132,8 +132,7 @@ std::size_t unknownAmong(const ExaminedFile& examined, const std::vector<Index>&
     }
     const auto votes = votesOutward({examined.file.position, normal, component, names.size(),
                                      std::vector<bool>(examined.size(), true)});
-    return static_cast<std::size_t>(std::count_if(
-        votes.begin(), votes.end(), [](const FacingVote& vote) { return !vote.isKnown(); }));
+    return countWhere(votes, [](const FacingVote& vote) { return !vote.isKnown(); });
 }
 
 }  // namespace

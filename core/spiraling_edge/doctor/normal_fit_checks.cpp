@@ -131,9 +131,9 @@ std::string asOneDirection(const NormalTrial& trial) {
     for (const Index p : trial.points) sum += trial.examined.normal()[p];
     if (!hasDirection(sum)) return {};
     const Vec3 mean = glm::normalize(sum);
-    const auto alike = static_cast<std::size_t>(std::count_if(
-        trial.points.begin(), trial.points.end(),
-        [&](Index p) { return glm::dot(trial.examined.normal()[p], mean) >= kAlike; }));
+    const std::size_t alike = countWhere(trial.points, [&](Index p) {
+        return glm::dot(trial.examined.normal()[p], mean) >= kAlike;
+    });
     if (20 * alike < kMostOfTwenty * trial.points.size()) return {};
     return "they are alike: " + percentOf(alike, trial.points.size()) +
            " are within 10 degrees of " + placeText(mean);
@@ -166,12 +166,10 @@ std::string asLinesOfSight(const NormalTrial& trial) {
         middle += trial.examined.file.position[p] / static_cast<double>(trial.points.size());
     const std::optional<Vec3> place = meetingOf(trial, middle);
     if (!place) return {};
-    const auto along = static_cast<std::size_t>(
-        std::count_if(trial.points.begin(), trial.points.end(), [&](Index p) {
-            const Vec3 sight = *place - trial.examined.file.position[p];
-            return std::abs(glm::dot(trial.examined.normal()[p], sight)) >=
-                   kAlong * glm::length(sight);
-        }));
+    const std::size_t along = countWhere(trial.points, [&](Index p) {
+        const Vec3 sight = *place - trial.examined.file.position[p];
+        return std::abs(glm::dot(trial.examined.normal()[p], sight)) >= kAlong * glm::length(sight);
+    });
     if (10 * along < kMostOfTen * trial.points.size()) return {};
     return "they are lines of sight: " + percentOf(along, trial.points.size()) +
            " are within 5 degrees of the direction from or to " + placeText(*place);

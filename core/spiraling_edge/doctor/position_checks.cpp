@@ -71,8 +71,7 @@ std::optional<Finding> findNearDuplicates(const ExaminedFile& examined) {
             points.push_back(std::max(p, q));
         }
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sortUnique(points);
     return findingAt(std::move(points), Severity::Warning,
                      "nearer to one with a lower index than a thousandth of the spacing");
 }

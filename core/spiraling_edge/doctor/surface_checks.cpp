@@ -170,9 +170,8 @@ std::optional<Layers> layersOf(const ExaminedFile& examined) {
     constexpr double kDrawn = 2.2;
     if (examined.presentCount < kFewPoints) return std::nullopt;
     const std::vector<double> around = kurtosisAroundAll(examined);
-    const auto certain = std::count_if(around.begin(), around.end(),
-                                       [](double kurtosis) { return kurtosis < kTwoHeaps; });
-    if (static_cast<std::size_t>(certain) * kLeastShare <
+    const auto isCertain = [](double kurtosis) { return kurtosis < kTwoHeaps; };
+    if (countWhere(around, isCertain) * kLeastShare <
         std::max<std::size_t>(examined.presentCount, 1))
         return std::nullopt;
     Layers layers;

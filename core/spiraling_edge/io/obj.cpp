@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -199,7 +200,7 @@ class ObjReader : LineByLine {
             if (only[vertex] == kNone) only[vertex] = normal;
             addDirection(directions[vertex], normals_[normal]);
         }
-        if (std::find(only.begin(), only.end(), kNone) == only.end()) {
+        if (!isAmong(kNone, only)) {
             std::size_t averaged = 0;
             for (Index p = 0; p < only.size(); ++p) {
                 const bool several = directions[p].size() > 1;
@@ -247,7 +248,7 @@ class ObjReader : LineByLine {
 bool isObj(const FileStart& start) {
     constexpr std::array<std::string_view, 14> kKeywords{
         "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "mg", "cstype"};
-    return std::find(kKeywords.begin(), kKeywords.end(), start.word) != kKeywords.end();
+    return isAmong(start.word, kKeywords);
 }
 
 Result<PointFile> readObj(std::string_view text, const std::string& name) {

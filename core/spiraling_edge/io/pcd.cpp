@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/float_bits.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 
@@ -177,12 +178,9 @@ class PcdReader : LineByLine {
     }
 
     const PcdField* find(std::string_view name) const {
-        for (const PcdField& field : fields_) {
-            if (field.name == name && field.count == 1 && field.kind == 'F' && field.type()) {
-                return &field;
-            }
-        }
-        return nullptr;
+        return rowWhere(fields_, [&](const PcdField& field) {
+            return field.name == name && field.count == 1 && field.kind == 'F' && field.type();
+        });
     }
 
     bool checkHeader() {
@@ -267,10 +265,8 @@ class PcdReader : LineByLine {
     static bool isAttribute(const PcdField& field) {
         if (field.count != 1 || !field.type()) return false;
         // Whole numbers of these names are not normals here, but would be in PLY.
-        const auto isNamed = [&](const std::array<const char*, 3>& names) {
-            return std::find(names.begin(), names.end(), field.name) != names.end();
-        };
-        return field.kind == 'F' || !(isNamed(kNormals) || isNamed(kShortNormals));
+        return field.kind == 'F' ||
+               !(isAmong(field.name, kNormals) || isAmong(field.name, kShortNormals));
     }
 
     bool readText() {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 
@@ -45,7 +46,11 @@ struct PlyHeader {
     std::size_t lines = 0;  ///< Lines up to the first row.
 };
 
-/// The other names of types than nameOf(), by ScalarType.
+const PlyElement* findElement(const PlyHeader& header, std::string_view name) {
+    return rowWhere(header.elements, [&](const PlyElement& each) { return each.name == name; });
+}
+
+/// The other names of types than kTypeNames, by ScalarType.
 constexpr std::array<std::string_view, 10> kSizedTypeNames{
     "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64", "long", "ulong"};
 /// By PlyFormat.
@@ -144,13 +149,10 @@ class HeaderReader : LineByLine {
         if (!readType(type, property.type)) return false;
         property.name = fields.next();
         if (property.name.empty()) return fail("the property has no name");
-        PlyElement& element = header_.elements.back();
-        for (const PlyProperty& other : element.properties) {
-            if (other.name == property.name) {
-                return fail("property " + inQuotes(property.name) + " is announced twice");
-            }
-        }
-        element.properties.push_back(std::move(property));
+        std::vector<PlyProperty>& known = header_.elements.back().properties;
+        if (rowWhere(known, [&](const PlyProperty& p) { return p.name == property.name; }))
+            return fail("property " + inQuotes(property.name) + " is announced twice");
+        known.push_back(std::move(property));
         return true;
     }
 
@@ -401,13 +403,6 @@ std::size_t findIndexList(const PlyElement& element) {
     if (element.name == "se_neighbors") return findProperty(element, "id", true);
     const std::size_t indices = findProperty(element, "vertex_indices", true);
     return indices != kNoProperty ? indices : findProperty(element, "vertex_index", true);
-}
-
-const PlyElement* findElement(const PlyHeader& header, std::string_view name) {
-    for (const PlyElement& element : header.elements) {
-        if (element.name == name) return &element;
-    }
-    return nullptr;
 }
 
 /// The checks of the elements to read that need only the header.

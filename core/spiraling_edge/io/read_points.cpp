@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
@@ -174,12 +175,9 @@ std::span<const PointFormat> pointFormats() { return kPointFormats; }
 
 const PointFormat* pointFormatOf(const fs::path& path) {
     const std::string extension = extensionOf(path);
-    const auto found =
-        std::find_if(kPointFormats.begin(), kPointFormats.end(), [&](const PointFormat& format) {
-            const auto& all = format.extensions;
-            return std::find(all.begin(), all.end(), extension) != all.end();
-        });
-    return found == kPointFormats.end() ? nullptr : &*found;
+    return rowWhere(kPointFormats, [&](const PointFormat& format) {
+        return isAmong(extension, format.extensions);
+    });
 }
 
 Result<PointFile> readPoints(const fs::path& path, const ByteLimit& limit, Unpack unpack) {

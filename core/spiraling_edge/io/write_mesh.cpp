@@ -6,6 +6,7 @@
 
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/formats.h"
 
@@ -45,9 +46,7 @@ std::span<const MeshFormat> meshFormats() { return kFormats; }
 const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
     const std::string extension = lowerExtension(path);
     if (extension.empty()) return kFormats.data();
-    const auto found = std::find_if(kFormats.begin(), kFormats.end(),
-                                    [&](const MeshFormat& f) { return f.extension == extension; });
-    return found == kFormats.end() ? nullptr : &*found;
+    return rowWhere(kFormats, [&](const MeshFormat& f) { return f.extension == extension; });
 }
 
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,

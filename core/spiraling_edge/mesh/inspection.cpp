@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/box.h"
@@ -191,12 +192,8 @@ InspectedMesh::InspectedMesh(const PointSet& given, std::span<const Triangle> me
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
     MeshFailure failure;
-    const auto inOrder = [](std::vector<Index>& list) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    inOrder(itsPoints);
-    inOrder(itsTriangles);
+    sortUnique(itsPoints);
+    sortUnique(itsTriangles);
     for (const Index p : itsPoints) failure.place += points.position[p];
     failure.place /= static_cast<double>(std::max<std::size_t>(itsPoints.size(), 1));
     failure.points = std::move(itsPoints);
@@ -256,8 +253,7 @@ void duplicates(const InspectedMesh& mesh, Failures& failures) {
             const Index highest = cornerOpposite(mesh.triangles[side.triangle], side);
             if (highest >= side.high) at.emplace_back(highest, side.triangle);
         }
-        std::sort(at.begin(), at.end());
-        at.erase(std::unique(at.begin(), at.end()), at.end());
+        sortUnique(at);
         for (std::size_t i = 0; i < at.size();) {
             std::vector<Index> same;
             const Index highest = at[i].first;
@@ -558,9 +554,7 @@ std::span<const FailureClass> failureClasses() { return kClasses; }
 const FailureClass* findFailureClass(std::string_view name) {
     // Sessions, lessons and queries of version 0.2 name it so.
     if (name == "unused_points") name = "lost_points";
-    const auto found = std::find_if(std::begin(kClasses), std::end(kClasses),
-                                    [&](const FailureClass& c) { return c.name == name; });
-    return found == std::end(kClasses) ? nullptr : found;
+    return rowWhere(kClasses, [&](const FailureClass& c) { return c.name == name; });
 }
 
 std::string describe(const MeshFailure& failure) {
@@ -641,7 +635,7 @@ bool isStillThere(const MeshFailure& failure, std::span<const MeshFailure> failu
     const std::size_t enough = std::min<std::size_t>(2, failure.points.size());
     return std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& each) {
         if (!sameProblem(*each.kind, *failure.kind)) return false;
-        const auto shared = std::count_if(each.points.begin(), each.points.end(), [&](Index p) {
+        const std::size_t shared = countWhere(each.points, [&](Index p) {
             return std::binary_search(failure.points.begin(), failure.points.end(), p);
         });
         return static_cast<std::size_t>(shared) >= enough;

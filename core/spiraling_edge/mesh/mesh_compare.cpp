@@ -10,6 +10,7 @@
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
@@ -129,9 +130,7 @@ class RegionFinder {
         }
     }
     void finish(DifferenceRegion& region) const {
-        std::sort(region.points.begin(), region.points.end());
-        region.points.erase(std::unique(region.points.begin(), region.points.end()),
-                            region.points.end());
+        sortUnique(region.points);
         Box box(position_[region.points.front()]);
         for (const Index p : region.points) box.add(position_[p]);
         region.place = (box.low + box.high) * 0.5;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -32,10 +33,9 @@ Loops loopsOf(const MeshJudge* judge, std::span<const MeshFailure> failures, std
     const std::vector<bool> onRim = judge == nullptr ? std::vector<bool>{} : endsOf(*judge);
     for (const MeshFailure& each : failures) {
         if (!isLoop(each)) continue;
-        const auto count = std::count_if(each.points.begin(), each.points.end(),
-                                         [&](Index p) { return judge == nullptr || onRim[p]; });
-        const bool hole =
-            each.kind->fault || 2 * static_cast<std::size_t>(count) < each.points.size();
+        const std::size_t count =
+            countWhere(each.points, [&](Index p) { return judge == nullptr || onRim[p]; });
+        const bool hole = each.kind->fault || 2 * count < each.points.size();
         if (hole) loops.holeEdges += each.edges.size();
         for (const Index p : each.points) {
             loops.on[p] = true;
@@ -55,8 +55,7 @@ std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLo
         }
         return inside > 0;
     };
-    return static_cast<std::size_t>(
-        std::count_if(judge.openings.begin(), judge.openings.end(), isClosed));
+    return countWhere(judge.openings, isClosed);
 }
 
 /// Counts points in no triangle by reason, and those that are covered.
@@ -115,10 +114,8 @@ MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangle
     verdict.placesOf = worstClasses(inspection.failures, places);
     verdict.places = places.size();
     const auto isFault = [](const MeshFailure& each) { return each.kind->fault; };
-    const auto listed =
-        std::count_if(inspection.failures.begin(), inspection.failures.end(), isFault);
     verdict.allPlaces = isExact(inspection.totals) &&
-                        static_cast<std::size_t>(listed) == faultCount(inspection.totals);
+                        countWhere(inspection.failures, isFault) == faultCount(inspection.totals);
     verdict.triangles = triangles.size();
     verdict.points = points.size();
     verdict.usedPoints = inspection.report.usedPoints;
@@ -151,10 +148,8 @@ std::span<const VerdictCount> verdictCounts() { return kCounts; }
 
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
     if (other.triangles == 0 && mesh.triangles > 0) return nullptr;
-    const auto worse =
-        std::find_if(std::begin(kCounts), std::end(kCounts),
-                     [&](const VerdictCount& count) { return count.of(mesh) > count.of(other); });
-    return worse == std::end(kCounts) ? nullptr : worse;
+    return rowWhere(kCounts,
+                    [&](const VerdictCount& count) { return count.of(mesh) > count.of(other); });
 }
 
 std::size_t sumOfCounts(const MeshVerdict& verdict) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/geometry/implicit_surfaces.h"
 #include "spiraling_edge/sampling/field.h"
 
@@ -162,10 +163,7 @@ std::span<const Shape> shapes() {
 }
 
 const Shape* findShape(std::string_view id) {
-    const auto table = shapes();
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [id](const Shape& shape) { return shape.id == id; });
-    return row == table.end() ? nullptr : &*row;
+    return rowWhere(shapes(), [id](const Shape& shape) { return shape.id == id; });
 }
 
 Field fieldOf(const Shape& shape) {

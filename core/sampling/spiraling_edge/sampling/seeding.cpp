@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/point_grid.h"
@@ -81,8 +82,7 @@ std::vector<Vec3> cornersOf(const std::vector<Measured>& curves) {
     for (const Measured& m : curves) {
         if (m.curve.closed()) continue;
         for (const Vec3& end : {m.curve.line.front(), m.curve.line.back()}) {
-            if (std::find(corners.begin(), corners.end(), end) == corners.end())
-                corners.push_back(end);
+            if (!isAmong(end, corners)) corners.push_back(end);
         }
     }
     return corners;
