@@ -9,17 +9,14 @@
 
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/base/word_list.h"
 
 namespace se {
 
 /// The extension in lower case, in every locale: ".ply" for "a/Scan.PLY"; empty if the name has
 /// none.
 inline std::string lowerExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return extension;
+    return lowerCase(path.extension().string());
 }
 
 /// Limit of the bytes that one input may hold, read or unpacked: 2 GiB by default.

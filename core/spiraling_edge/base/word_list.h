@@ -20,6 +20,14 @@ std::string nearestName(const Rows& rows, std::string_view word) {
     return std::string(nearestWord(names, word));
 }
 
+/// A to Z in lower case, in every locale; all other bytes as they are.
+inline std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
 /// The words as the beginning of a sentence: with a capital letter first.
 inline std::string capitalized(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')

@@ -94,14 +94,6 @@ class PointColors {
     bool hasAlpha_ = false;
 };
 
-inline std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
-}
-
 /// Reads all of `field` as a whole number from 0 to `most`.
 inline bool parseCount(std::string_view field, std::uint64_t& count,
                        std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
