@@ -6,7 +6,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <system_error>
+
+#include "spiraling_edge/base/types.h"
 
 namespace se {
 
@@ -40,6 +43,16 @@ inline void appendPlainNumber(std::string& text, double value) {
     }
 #endif
     appendNumber(text, value);
+}
+
+/// The three numbers as appendPlainNumber() writes them: "500000,5400000,0.5".
+inline std::string plainNumbers(const Vec3& v, std::string_view separator) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) text += separator;
+        appendPlainNumber(text, v[i]);
+    }
+    return text;
 }
 
 /// `value` with six significant digits; the same on every machine.

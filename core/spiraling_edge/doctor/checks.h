@@ -105,8 +105,6 @@ std::optional<Layers> layersOf(const ExaminedFile& examined);
 
 /// The units of a file whose lists are filled in.
 std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined);
-/// "74310,111132,1", as --scale-by takes them.
-std::string factorsText(const Vec3& factors);
 
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);

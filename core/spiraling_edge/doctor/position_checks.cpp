@@ -37,14 +37,10 @@ std::optional<Finding> findSentinels(const ExaminedFile& examined) {
     if (points.empty()) return std::nullopt;
     const Vec3& first = examined.file.position[points.front()];
     // In full, so that it can be searched for in the file.
-    std::string text =
-        "far off all others, as where a missing value was written (--keep-sentinels: places like "
-        "all others); the first is at ";
-    for (Vec3::length_type axis = 0; axis < 3; ++axis) {
-        text += axis == 0 ? "(" : ", ";
-        appendPlainNumber(text, first[axis]);
-    }
-    return findingAt(std::move(points), Severity::Warning, text + ")");
+    return findingAt(std::move(points), Severity::Warning,
+                     "far off all others, as where a missing value was written (--keep-sentinels: "
+                     "places like all others); the first is at (" +
+                         plainNumbers(first, ", ") + ")");
 }
 
 std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {

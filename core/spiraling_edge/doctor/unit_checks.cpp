@@ -114,7 +114,7 @@ UnitScale orElse(UnitScale first, const UnitScale& second) {
     first.otherwise.append(first.otherwise.empty() ? "if " : "; if ")
         .append(second.ifSo)
         .append(": --scale-by ")
-        .append(factorsText(second.factors));
+        .append(plainNumbers(second.factors, ","));
     return first;
 }
 
@@ -170,15 +170,6 @@ std::optional<UnitScale> scaleOf(const ExaminedFile& examined) {
 }
 
 }  // namespace
-
-std::string factorsText(const Vec3& factors) {
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis > 0) text += ',';
-        appendPlainNumber(text, factors[axis]);
-    }
-    return text;
-}
 
 std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
     MixedUnits units{examined.intake.judge->facts.extent()};

@@ -201,11 +201,7 @@ std::string stlHeader(const std::optional<Vec3>& shift) {
     constexpr std::size_t kSize = 80;
     std::string text = "written by spiraling-edge";
     if (shift) {
-        std::string sum = "add";
-        for (int i = 0; i < 3; ++i) {
-            sum += ' ';
-            appendPlainNumber(sum, (*shift)[i]);
-        }
+        const std::string sum = "add " + plainNumbers(*shift, " ");
         // Three of the longest doubles leave no room for the name.
         text = text.size() + 2 + sum.size() <= kSize ? text + "; " + sum : sum;
     }

@@ -54,14 +54,7 @@ std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
     return format.shift == nullptr ? std::nullopt : format.shift(points, triangles);
 }
 
-std::string shiftText(const Vec3& shift) {
-    std::string text;
-    for (int i = 0; i < 3; ++i) {
-        text += i == 0 ? "(" : ", ";
-        appendPlainNumber(text, shift[i]);
-    }
-    return text + ")";
-}
+std::string shiftText(const Vec3& shift) { return "(" + plainNumbers(shift, ", ") + ")"; }
 
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options) {
