@@ -93,21 +93,11 @@ bool isWriteProtected(const fs::path& target, unsigned mode) {
     return !os::mayWrite(target);
 }
 
-/// A folder that is open in order to be synced; -1 if it may be written to but not read.
-class OpenFolder {
-  public:
-    explicit OpenFolder(const fs::path& folder)
-        : descriptor_(os::openFolder(folder.empty() ? "." : folder)) {}
-    OpenFolder(const OpenFolder&) = delete;
-    OpenFolder& operator=(const OpenFolder&) = delete;
-    ~OpenFolder() {
-        if (descriptor_ >= 0) os::close(descriptor_);
-    }
-    bool synced() const { return descriptor_ < 0 || os::sync(descriptor_); }
-
-  private:
-    int descriptor_;
-};
+/// The folder of a file.
+fs::path folderOf(const fs::path& file) {
+    const fs::path parent = file.parent_path();
+    return parent.empty() ? "." : parent;
+}
 
 }  // namespace
 
@@ -139,8 +129,7 @@ Status AtomicFile::locate(const fs::path& path) {
     if (target_.empty()) return failure();
     if (exists_) mode_ = status->mode;
     if (direct_) return os::mayWrite(target_) ? success() : Status(failure());
-    const fs::path parent = target_.parent_path();
-    const fs::path folder = parent.empty() ? "." : parent;
+    const fs::path folder = folderOf(target_);
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) {
         return Error{path.string() + ": cannot be written: there is no folder " + folder.string() +
@@ -211,11 +200,13 @@ Status AtomicFile::commit() {
     if (!temporary_.empty() && !os::sync(descriptor_)) return failure();
     if (!os::close(std::exchange(descriptor_, -1))) return failure();
     if (temporary_.empty()) return success();
-    const OpenFolder folder(target_.parent_path());
+    // -1 if it may be written to but not read.
+    const int folder = os::openFolder(folderOf(target_));
+    const os::Closing closing(folder);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return failure();
     temporary_.clear();
     unlistUnfinished(std::exchange(slot_, 0));
-    return folder.synced() ? success() : Status(failure());
+    return folder < 0 || os::sync(folder) ? success() : Status(failure());
 }
 
 void AtomicFile::closeAndRemove() {
@@ -256,8 +247,7 @@ std::optional<FileIdentity> identityOf(const fs::path& path) {
         return FileIdentity{file->device, file->number, {}, file->kind};
     const fs::path target = withLinksFollowed(path);
     if (target.empty()) return std::nullopt;
-    const fs::path parent = target.parent_path();
-    const auto folder = os::statusOf(parent.empty() ? "." : parent);
+    const auto folder = os::statusOf(folderOf(target));
     if (!folder) return std::nullopt;
     return FileIdentity{folder->device, folder->number, target.filename().string()};
 }

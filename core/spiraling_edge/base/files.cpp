@@ -12,28 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An open file; closed by the destructor.
-class OpenFile {
-  public:
-    explicit OpenFile(const fs::path& path) : descriptor_(os::openToRead(path)) {}
-    ~OpenFile() {
-        if (descriptor_ >= 0) os::close(descriptor_);
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    bool isOpen() const { return descriptor_ >= 0; }
-    /// The size of a regular file; 0 for other sources.
-    std::uint64_t size() const { return os::sizeOf(descriptor_); }
-    /// Reads up to `count` bytes to `to`: their number, 0 at the end, negative after a failure.
-    std::ptrdiff_t read(char* to, std::size_t count) const {
-        return os::readSome(descriptor_, to, count);
-    }
-
-  private:
-    int descriptor_;
-};
-
 /// The pieces in one; each is freed once it is copied.
 std::string joinedPieces(std::vector<std::string>& pieces) {
     if (pieces.size() == 1) return std::move(pieces.front());
@@ -60,9 +38,10 @@ Result<std::string> readBytes(const fs::path& path, const ByteLimit& limit,
     if (!fs::exists(status)) return Error{name + ": there is no such file"};
     if (fs::is_directory(status)) return Error{name + ": is a folder; name a file in it"};
     errno = 0;
-    const OpenFile file(path);
-    if (!file.isOpen()) return Error{name + ": cannot be opened: " + systemReason()};
-    const std::uint64_t expected = file.size();
+    const int file = os::openToRead(path);
+    const os::Closing closing(file);
+    if (file < 0) return Error{name + ": cannot be opened: " + systemReason()};
+    const std::uint64_t expected = os::sizeOf(file);
     if (expected > limit.bytes) return limit.exceededBy(name);
     constexpr std::size_t kStep = std::size_t{1} << 20U;
     // One byte more than expected, to detect the end without another piece.
@@ -73,7 +52,8 @@ Result<std::string> readBytes(const fs::path& path, const ByteLimit& limit,
         std::string& piece = pieces.emplace_back(room, '\0');
         std::size_t filled = 0;
         while (!ended && filled < room) {
-            const std::ptrdiff_t got = file.read(&piece[filled], std::min(kStep, room - filled));
+            const std::ptrdiff_t got =
+                os::readSome(file, &piece[filled], std::min(kStep, room - filled));
             if (got < 0) return Error{name + ": cannot be read: " + systemReason()};
             ended = got == 0;
             filled += static_cast<std::size_t>(got);

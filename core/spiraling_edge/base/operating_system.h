@@ -60,6 +60,19 @@ void writeToStandardError(std::string_view bytes);
 bool sync(int descriptor);
 /// Closes a descriptor. False if what was written may be lost.
 bool close(int descriptor);
+/// Closes a descriptor at its end, if opening succeeded.
+class Closing {
+  public:
+    explicit Closing(int descriptor) : descriptor_(descriptor) {}
+    Closing(const Closing&) = delete;
+    Closing& operator=(const Closing&) = delete;
+    ~Closing() {
+        if (descriptor_ >= 0) close(descriptor_);
+    }
+
+  private:
+    int descriptor_;
+};
 /// The size of a regular file; 0 for other sources.
 std::uint64_t sizeOf(int descriptor);
 /// Sets the permission bits, regardless of the umask. A failure is ignored.
