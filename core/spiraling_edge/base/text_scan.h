@@ -103,10 +103,11 @@ class Fields {
     char other_;
 };
 
-/// The words of a text: what is between blanks, tabs, line ends, and one more character if given.
-inline std::vector<std::string> wordsIn(std::string_view text, char extraSeparator = ' ') {
+/// The words of a text: what is between blanks, tabs, and two characters, line ends if not given.
+inline std::vector<std::string> wordsIn(std::string_view text, char extraSeparator = '\n',
+                                        char otherSeparator = '\n') {
     std::vector<std::string> words;
-    Fields fields(text, '\n', extraSeparator);
+    Fields fields(text, extraSeparator, otherSeparator);
     for (std::string_view word = fields.next(); !word.empty(); word = fields.next())
         words.emplace_back(word);
     return words;

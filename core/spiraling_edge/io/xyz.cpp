@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
 
 namespace se::io {
@@ -166,6 +166,15 @@ std::string plainName(std::string_view word) {
     return plain;
 }
 
+/// The first name of the row of a table that has `name`; `otherwise` if none has.
+template <typename Table>
+std::string firstOfRow(const Table& table, std::string_view name, std::string_view otherwise) {
+    const auto row = name.empty()
+                         ? nullptr
+                         : rowWhere(table, [&](const auto& names) { return isAmong(name, names); });
+    return std::string(row == nullptr ? otherwise : row->front());
+}
+
 std::string usualName(std::string_view word) {
     constexpr std::array<std::array<std::string_view, 6>, 10> kNames{{
         // With the names of tables of ParaView.
@@ -180,28 +189,17 @@ std::string usualName(std::string_view word) {
         {"blue", "b"},
         {"intensity", "i"},
     }};
-    const std::string plain = plainName(word);
-    for (const auto& names : kNames) {
-        if (!plain.empty() && std::find(names.begin(), names.end(), plain) != names.end())
-            return std::string(names.front());
-    }
-    return std::string(word);
+    return firstOfRow(kNames, plainName(word), word);
 }
 
 /// The axis that a name of maps stands for; else the name.
 std::string axisOnMap(const std::string& name) {
-    constexpr std::array<std::array<std::string_view, 5>, 3> kNames{{
-        {"lon", "longitude", "east", "easting", "e"},
-        {"lat", "latitude", "north", "northing", "n"},
-        {"height", "elevation", "alt", "altitude", "up"},
+    constexpr std::array<std::array<std::string_view, 6>, 3> kNames{{
+        {"x", "lon", "longitude", "east", "easting", "e"},
+        {"y", "lat", "latitude", "north", "northing", "n"},
+        {"z", "height", "elevation", "alt", "altitude", "up"},
     }};
-    const std::string lower = lowerCase(name);
-    for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
-        const auto& names = kNames[axis];
-        if (std::find(names.begin(), names.end(), lower) != names.end())
-            return std::string(1, "xyz"[axis]);
-    }
-    return name;
+    return firstOfRow(kNames, lowerCase(name), name);
 }
 
 /// A name without blanks and quotation marks around it; those within become "_".
@@ -218,19 +216,15 @@ std::string tidyName(std::string_view name) {
 /// first in this list; else those between blanks.
 std::vector<std::string> namesInRow(std::string_view row) {
     std::vector<std::string> names;
-    const std::size_t kind = row.find_first_of(";\t,") == std::string_view::npos ? 3
-                             : row.find(';') != std::string_view::npos           ? 0
-                             : row.find('\t') != std::string_view::npos          ? 1
-                                                                                 : 2;
-    if (kind == 3) {
-        Fields words(row);
-        for (auto word = words.next(); !word.empty(); word = words.next())
-            names.push_back(tidyName(word));
+    constexpr std::string_view kSeparators = ";\t,";
+    const auto separator =
+        rowWhere(kSeparators, [&](char each) { return row.find(each) != std::string_view::npos; });
+    if (separator == nullptr) {
+        for (const std::string& word : wordsIn(row)) names.push_back(tidyName(word));
         return names;
     }
-    const char separator = ";\t,"[kind];
     while (true) {
-        const std::size_t end = std::min(row.find(separator), row.size());
+        const std::size_t end = std::min(row.find(*separator), row.size());
         names.push_back(tidyName(row.substr(0, end)));
         if (end == row.size()) break;
         row.remove_prefix(end + 1);
@@ -246,14 +240,6 @@ bool isPrintable(std::string_view word) {
     });
 }
 
-/// The words of a comment without its signs.
-std::vector<std::string> namesInComment(std::string_view comment) {
-    std::vector<std::string> names;
-    Fields words(comment, ',', ';');
-    for (auto word = words.next(); !word.empty(); word = words.next()) names.emplace_back(word);
-    return names;
-}
-
 /// Words as names of columns, if they name x, y and z once each. Known names in the form that PLY
 /// uses ("R" is "red"), others unchanged. Empty if they are other words, or name a column twice.
 std::vector<std::string> columnNames(std::vector<std::string> words) {
@@ -262,21 +248,20 @@ std::vector<std::string> columnNames(std::vector<std::string> words) {
         word = usualName(word);
     }
     // Beside x, y and z a height is a column of its own.
-    if (std::find(words.begin(), words.end(), "x") == words.end())
-        std::transform(words.begin(), words.end(), words.begin(), axisOnMap);
+    if (!isAmong("x", words)) std::transform(words.begin(), words.end(), words.begin(), axisOnMap);
     for (const char* axis : {"x", "y", "z"}) {
         if (std::count(words.begin(), words.end(), axis) != 1) return {};
     }
-    std::vector<std::string> sorted = words;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+    std::vector<std::string> different = words;
+    sortUnique(different);
+    if (different.size() < words.size()) return {};
     return words;
 }
 
 /// True if files with `columns` numbers per row, the position included, can be read without names.
 bool isRecognizable(std::size_t columns) {
     constexpr std::array<std::size_t, 5> kCounts{3, 4, 6, 7, 9};
-    return std::find(kCounts.begin(), kCounts.end(), columns) != kCounts.end();
+    return isAmong(columns, kCounts);
 }
 
 /// Names the columns after x, y and z. Fails with the reason, without a place, if the numbers allow
@@ -395,7 +380,7 @@ class XyzReader : LineByLine {
     void takeHeader(std::string_view comment) {
         if (!file_.position.empty()) return;
         comment.remove_prefix(std::min(comment.find_first_not_of("#/"), comment.size()));
-        std::vector<std::string> names = columnNames(namesInComment(comment));
+        std::vector<std::string> names = columnNames(wordsIn(comment, ',', ';'));
         if (names.empty()) return;
         named_ = std::move(names);
         headerLine_ = lines_.number();
@@ -564,23 +549,12 @@ class XyzReader : LineByLine {
                 "; remove the other columns, or name them in a line before the points, "
                 "such as \"# x y z intensity label\", with one name per column");
         }
+        axes_ = {0, 1, 2};
+        if (!header_.empty()) axes_ = {find(header_, "x"), find(header_, "y"), find(header_, "z")};
         for (std::size_t column = 0; column < columns_; ++column) {
-            if (const auto axis = axisOf(column)) {
-                axes_[*axis] = column;
-            } else {
-                others_.push_back(column);
-            }
+            if (!isAmong(column, axes_)) others_.push_back(column);
         }
         return true;
-    }
-
-    std::optional<std::size_t> axisOf(std::size_t column) const {
-        if (header_.empty()) return column < 3 ? std::optional(column) : std::nullopt;
-        const std::string& name = header_[column];
-        return name == "x"   ? std::optional<std::size_t>(0)
-               : name == "y" ? std::optional<std::size_t>(1)
-               : name == "z" ? std::optional<std::size_t>(2)
-                             : std::nullopt;
     }
 
     void keepRow() {
@@ -644,19 +618,19 @@ class XyzReader : LineByLine {
                           "; name the columns in it, such as \"# x y z nx ny nz\", or remove it");
     }
 
-    /// Position of a name in names_; their number if it is not there.
-    std::size_t find(std::string_view name) const {
-        return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
-                                        names_.begin());
+    /// Position of a name; the number of names if it is not there.
+    static std::size_t find(const std::vector<std::string>& names, std::string_view name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                        names.begin());
     }
-    bool has(std::string_view name) const { return find(name) < names_.size(); }
+    bool has(std::string_view name) const { return isAmong(name, names_); }
 
     /// Moves nx, ny and nz out of the names, if all three are there.
     void takeNormals() {
         if (!has("nx") || !has("ny") || !has("nz")) return;
-        const std::size_t x = find("nx");
-        const std::size_t y = find("ny");
-        const std::size_t z = find("nz");
+        const std::size_t x = find(names_, "nx");
+        const std::size_t y = find(names_, "ny");
+        const std::size_t z = find(names_, "nz");
         file_.normal.reserve(file_.position.size());
         for (std::size_t at = 0; at < extra_.values.size(); at += extra_.width()) {
             file_.normal.emplace_back(extra_.values[at + x], extra_.values[at + y],
