@@ -28,6 +28,8 @@ inline Error errorAt(const std::string& name, const std::string& place, const st
 
 /// A line number as a place: "line 12".
 inline std::string lineText(std::size_t number) { return "line " + std::to_string(number); }
+/// A byte as a place: "byte 84".
+inline std::string byteText(std::size_t byte) { return "byte " + std::to_string(byte); }
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 

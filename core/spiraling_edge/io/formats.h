@@ -3,6 +3,7 @@
 /// that passes checkWritable().
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -103,6 +104,23 @@ inline bool parseCount(std::string_view field, std::uint64_t& count,
     return true;
 }
 
+/// Reads the next three fields as numbers.
+inline bool parseVector(Fields& fields, Vec3& vector) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!parseDouble(fields.next(), vector[axis])) return false;
+    }
+    return true;
+}
+
+/// Sets `value` to the enumerator whose name is `word`, of all names in order.
+template <typename Names, typename Enum>
+bool parseName(const Names& names, std::string_view word, Enum& value) {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) return false;
+    value = static_cast<Enum>(found - names.begin());
+    return true;
+}
+
 /// The problem of a file. A member of a reader that returns false has set it.
 class FirstProblem {
   public:
@@ -113,8 +131,12 @@ class FirstProblem {
         problem_ = errorAt(name_, place, what);
         return false;
     }
-    bool fail(std::size_t byte, const std::string& what) {
-        return failAt("byte " + std::to_string(byte), what);
+    bool fail(std::size_t byte, const std::string& what) { return failAt(byteText(byte), what); }
+    bool failCut(const std::string& place, std::uint64_t found, std::uint64_t announced,
+                 const std::string& things) {
+        return failAt(place, "the file ends after " + std::to_string(found) + " of " +
+                                 std::to_string(announced) + " " + things +
+                                 "; it is cut short, or its header announces too many");
     }
 
     const std::string& name_;

@@ -117,10 +117,7 @@ class LasReader : FirstProblem {
         if (begin_ > bytes_.size() || count > (bytes_.size() - begin_) / recordSize_) {
             const std::uint64_t room =
                 begin_ > bytes_.size() ? 0 : (bytes_.size() - begin_) / recordSize_;
-            return fail(bytes_.size(), "the file ends after " + std::to_string(room) + " of " +
-                                           std::to_string(count) +
-                                           " points; it is cut short, or its header announces "
-                                           "too many");
+            return failCut(byteText(bytes_.size()), room, count, "points");
         }
         if (count >= kNone) return fail(kCountAt, "at most 4294967294 points can be read");
         count_ = static_cast<std::size_t>(count);

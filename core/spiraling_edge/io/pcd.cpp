@@ -102,16 +102,17 @@ class PcdReader : LineByLine {
 
     bool readData(std::string_view kind) {
         constexpr std::array<std::string_view, 3> kNames{"ascii", "binary", "binary_compressed"};
-        for (std::size_t i = 0; i < kNames.size(); ++i) {
-            data_ = static_cast<Data>(i);
-            if (kind == kNames[i]) return true;
-        }
-        return fail("expected ascii, binary or binary_compressed after DATA, found " +
+        return parseName(kNames, kind, data_) ||
+               fail("expected ascii, binary or binary_compressed after DATA, found " +
                     inQuotes(kind));
     }
 
     bool readEntry(std::string_view key, Fields& words) {
-        if (key == "FIELDS" || key == "COLUMNS") return readNames(words);
+        if (key == "FIELDS" || key == "COLUMNS") {
+            for (auto word = words.next(); !word.empty(); word = words.next())
+                fields_.push_back({std::string(word)});
+            return true;
+        }
         if (key == "SIZE") {
             return forEachField(key, words, [&](PcdField& field, std::string_view word) {
                 std::int64_t number = 0;
@@ -143,17 +144,8 @@ class PcdReader : LineByLine {
     /// A place and a turn. The origin, which many programs write without a thought, tells nothing.
     bool readViewpoint(Fields& words) {
         Vec3 place{0.0};
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!parseDouble(words.next(), place[axis])) return true;
-        }
-        if (isFinite(place) && place != Vec3(0.0)) file_.viewpoint = place;
-        return true;
-    }
-
-    bool readNames(Fields& words) {
-        for (auto word = words.next(); !word.empty(); word = words.next()) {
-            fields_.push_back({std::string(word)});
-        }
+        if (parseVector(words, place) && isFinite(place) && place != Vec3(0.0))
+            file_.viewpoint = place;
         return true;
     }
 
@@ -215,11 +207,9 @@ class PcdReader : LineByLine {
     }
 
     bool failCut(std::uint64_t found) {
-        const std::string place =
-            data_ != Data::Text ? "byte " + std::to_string(whole_) : lineText(lines_.number());
-        return failAt(place, "the file ends after " + std::to_string(found) + " of " +
-                                 std::to_string(*points_) +
-                                 " points; it is cut short, or its header announces too many");
+        const bool isText = data_ == Data::Text;
+        return LineByLine::failCut(isText ? lineText(lines_.number()) : byteText(whole_), found,
+                                   *points_, "points");
     }
 
     // ---- rows -------------------------------------------------------------------------------
@@ -341,7 +331,7 @@ class PcdReader : LineByLine {
         if (rest.find_first_not_of(std::string_view("\0\r\n", 3)) == std::string_view::npos) {
             return true;
         }
-        return failAt("byte " + std::to_string(whole_ - rest.size()),
+        return failAt(byteText(whole_ - rest.size()),
                       "the file goes on after the " + std::to_string(n) +
                           " points that its header announces; correct POINTS");
     }
@@ -357,7 +347,7 @@ class PcdReader : LineByLine {
         if (packed > rest.size() - 8) return failCut(0);
         const std::string bytes = unpackLzf(rest.substr(8, packed), unpacked);
         if (bytes.size() != unpacked || unpacked != rowSize_ * n) {
-            return failAt("byte " + std::to_string(whole_ - rest.size() + 8),
+            return failAt(byteText(whole_ - rest.size() + 8),
                           "the compressed points are damaged, or not the " + std::to_string(n) +
                               " that the header announces");
         }

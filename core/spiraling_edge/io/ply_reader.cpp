@@ -96,11 +96,8 @@ class HeaderReader : LineByLine {
 
     bool readFormat(std::string_view format) {
         hasFormat_ = true;
-        for (std::size_t i = 0; i < kFormatNames.size(); ++i) {
-            header_.format = static_cast<PlyFormat>(i);
-            if (format == kFormatNames[i]) return true;
-        }
-        return fail("expected ascii, binary_little_endian or binary_big_endian, found " +
+        return parseName(kFormatNames, format, header_.format) ||
+               fail("expected ascii, binary_little_endian or binary_big_endian, found " +
                     inQuotes(format));
     }
 
@@ -113,25 +110,18 @@ class HeaderReader : LineByLine {
             return fail("expected \"element NAME COUNT\", found " + inQuotes(field) +
                         " for the count");
         }
-        for (const PlyElement& other : header_.elements) {
-            if (other.name == element.name) {
-                return fail("element " + inQuotes(element.name) + " is announced twice");
-            }
-        }
+        if (findElement(header_, element.name) != nullptr)
+            return fail("element " + inQuotes(element.name) + " is announced twice");
         header_.elements.push_back(std::move(element));
         return true;
     }
 
     bool readType(std::string_view field, ScalarType& type) {
-        for (std::size_t i = 0; i < kSizedTypeNames.size(); ++i) {
-            type = static_cast<ScalarType>(i);
-            if (field == nameOf(type) || field == kSizedTypeNames[i]) return true;
-        }
-        return fail(
-            "expected a type: char, uchar, short, ushort, int, uint, int64, uint64, float or "
-            "double; "
-            "found " +
-            inQuotes(field));
+        return parseName(kTypeNames, field, type) || parseName(kSizedTypeNames, field, type) ||
+               fail(
+                   "expected a type: char, uchar, short, ushort, int, uint, int64, uint64, float "
+                   "or double; found " +
+                   inQuotes(field));
     }
 
     bool readProperty(Fields& fields) {
@@ -176,10 +166,8 @@ class RowsBase : protected FirstProblem {
         row_ = row;
     }
     bool failCut(const std::string& place) {
-        return failAt(place, "the file ends after " + std::to_string(row_) + " of " +
-                                 std::to_string(element_->count) + " rows of element " +
-                                 inQuotes(element_->name) +
-                                 "; it is cut short, or its header announces too many");
+        return FirstProblem::failCut(place, row_, element_->count,
+                                     "rows of element " + inQuotes(element_->name));
     }
 
   private:
@@ -284,14 +272,17 @@ class BinaryRows : public RowsBase {
           swapped_((header.format == PlyFormat::LittleEndian) !=
                    (std::endian::native == std::endian::little)) {}
 
-    bool fail(const std::string& what) { return failAt(place(at_), what); }
+    bool fail(const std::string& what) { return failAt(byteText(at_), what); }
 
     bool checkRoom(const PlyElement& element) {
         const std::uint64_t room = left() / leastRowSize(element);
         if (element.count <= room) return true;
         enter(element, room);
-        return element.hasList() ? failAt(place(bytes_.size()), tooMany(element))
-                                 : failCut(place(bytes_.size()));
+        if (!element.hasList()) return failCut(byteText(bytes_.size()));
+        return failAt(byteText(bytes_.size()),
+                      "the file ends too early to hold the " + std::to_string(element.count) +
+                          " rows of element " + inQuotes(element.name) +
+                          "; it is cut short, or its header announces too many");
     }
     bool beginRow(const PlyElement& element, std::uint64_t row) {
         enter(element, row);
@@ -300,7 +291,7 @@ class BinaryRows : public RowsBase {
     bool endRow() { return true; }
     bool scalar(const PlyProperty&, ScalarType type, double& value) {
         return withScalar(type, [&](auto zero) {
-            if (left() < sizeof(zero)) return failCut(place(bytes_.size()));
+            if (left() < sizeof(zero)) return failCut(byteText(bytes_.size()));
             value = static_cast<double>(loadScalar<decltype(zero)>(bytes_.data() + at_, swapped_));
             at_ += sizeof(zero);
             return true;
@@ -308,7 +299,7 @@ class BinaryRows : public RowsBase {
     }
     bool skipList(const PlyProperty& property, std::uint64_t count) {
         const std::size_t size = sizeOf(property.type);
-        if (count > left() / size) return failCut(place(bytes_.size()));
+        if (count > left() / size) return failCut(byteText(bytes_.size()));
         at_ += static_cast<std::size_t>(count) * size;
         return true;
     }
@@ -336,18 +327,12 @@ class BinaryRows : public RowsBase {
 
   private:
     std::size_t left() const { return bytes_.size() - at_; }
-    static std::string place(std::size_t byte) { return "byte " + std::to_string(byte); }
     /// The size of a row whose lists are all empty.
     static std::size_t leastRowSize(const PlyElement& element) {
         std::size_t size = 0;
         for (const PlyProperty& p : element.properties)
             size += sizeOf(p.isList ? p.countType : p.type);
         return size;
-    }
-    static std::string tooMany(const PlyElement& element) {
-        return "the file ends too early to hold the " + std::to_string(element.count) +
-               " rows of element " + inQuotes(element.name) +
-               "; it is cut short, or its header announces too many";
     }
 
     std::string_view bytes_;
@@ -483,8 +468,9 @@ class BodyReader {
     bool readElement(const PlyElement& element) {
         const std::vector<Column> nowhere(element.properties.size());
         const auto ignore = [] { return true; };
-        if (element.name == "vertex") {
-            const std::vector<Column> columns = makeColumns(element);
+        if (element.name == "vertex" || element.name == "camera") {
+            const std::vector<Column> columns =
+                element.name == "vertex" ? makeColumns(element) : cameraColumns(element);
             noteOthers(element, columns, kNoProperty);
             return readRows(element, columns, kNoProperty, ignore);
         }
@@ -495,11 +481,6 @@ class BodyReader {
                 append(list_, file_.faces);
                 return true;
             });
-        }
-        if (element.name == "camera") {
-            const std::vector<Column> columns = cameraColumns(element);
-            noteOthers(element, columns, kNoProperty);
-            return readRows(element, columns, kNoProperty, ignore);
         }
         if (element.name == "se_neighbors") {
             return readRows(element, nowhere, findIndexList(element),

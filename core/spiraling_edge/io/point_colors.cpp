@@ -10,9 +10,7 @@ namespace se::io {
 
 void PointColors::add(Fields& fields) {
     Vec3 color{0.0};
-    for (int channel = 0; channel < 3; ++channel) {
-        if (!parseDouble(fields.next(), color[channel])) return;
-    }
+    if (!parseVector(fields, color)) return;
     add(color);
     if (!fields.next().empty()) leaveOutAlpha();
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/points/point_file.h"
 
 namespace se::io {
@@ -54,11 +55,11 @@ inline bool isInteger(ScalarType type) {
 inline std::size_t sizeOf(ScalarType type) {
     return withScalar(type, [](auto scalar) { return sizeof(scalar); });
 }
-/// The name of `type` in headers of PLY: "uchar".
+/// The names of the types in headers of PLY, by ScalarType.
+inline constexpr std::array<std::string_view, 10> kTypeNames{
+    "char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int64", "uint64"};
 inline std::string_view nameOf(ScalarType type) {
-    constexpr std::array<std::string_view, 10> kNames{
-        "char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int64", "uint64"};
-    return kNames[static_cast<std::size_t>(type)];
+    return kTypeNames[static_cast<std::size_t>(type)];
 }
 
 /// True if numbers in little endian files are in the other byte order than those of this machine.
@@ -73,9 +74,7 @@ Scalar loadScalar(const char* bytes, bool swapped) {
     std::array<char, sizeof(Scalar)> raw;
     std::memcpy(raw.data(), bytes, sizeof(Scalar));
     if (swapped) std::reverse(raw.begin(), raw.end());
-    Scalar scalar;
-    std::memcpy(&scalar, raw.data(), sizeof(Scalar));
-    return scalar;
+    return bitsAs<Scalar>(raw);
 }
 
 /// Stores `scalar` at `bytes` in little endian order and returns the address after it.

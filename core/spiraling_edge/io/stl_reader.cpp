@@ -63,22 +63,19 @@ std::optional<Vec3> shiftIn(std::string_view header) {
     header = header.substr(at + kAdd.size());
     Fields fields(header.substr(0, header.find('\0')));
     Vec3 shift{};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!parseDouble(fields.next(), shift[axis])) return {};
-    }
-    if (!isFinite(shift)) return {};
+    if (!parseVector(fields, shift) || !isFinite(shift)) return {};
     return shift;
 }
 
 Result<PointFile> readBinary(std::string_view bytes, const std::string& name) {
     if (bytes.size() < kHeader) {
-        return errorAt(name, "byte " + std::to_string(bytes.size()),
+        return errorAt(name, byteText(bytes.size()),
                        "the file ends within its header of 84 bytes; it is cut short");
     }
     const std::size_t room = (bytes.size() - kHeader) / kTriangle;
     const std::size_t count = announced(bytes);
     if (count != room || kHeader + room * kTriangle != bytes.size()) {
-        return errorAt(name, "byte " + std::to_string(bytes.size()),
+        return errorAt(name, byteText(bytes.size()),
                        "the header announces " + std::to_string(count) +
                            " triangles, and there is room for " + std::to_string(room) +
                            "; the file is cut short or damaged");
@@ -111,39 +108,37 @@ class TextReader : LineByLine {
     using LineByLine::LineByLine;
 
     Result<PointFile> read() {
-        Soup soup;
         while (lines_.nextContent()) {
-            Fields fields(lines_.line());
-            const std::string word = lowerCase(fields.next());
-            ended_ = word == "endsolid";
-            if (word == "facet") {
-                if (!corners_.empty()) {
-                    fail("the triangle before this line has no endfacet; correct it");
-                    return problem_;
-                }
-                fields.next();  // "normal"
-                if (!readVector(fields, normal_)) return problem_;
-            } else if (word == "vertex") {
-                if (!readVector(fields, corners_.emplace_back())) return problem_;
-            } else if (word == "endfacet") {
-                if (corners_.size() != 3) {
-                    fail("expected a triangle of three corners, found " +
-                         std::to_string(corners_.size()) + "; correct the lines before");
-                    return problem_;
-                }
-                soup.add({corners_[0], corners_[1], corners_[2]}, normal_);
-                corners_.clear();
-            }
+            if (!readLine()) return problem_;
         }
-        if (!ended_) {
-            fail("the file ends without endsolid; it is cut short");
-            return problem_;
-        }
-        if (soup.empty()) return Error{name_ + ": holds no triangles"};
-        return soup.take(ScalarType::Double);
+        if (!ended_ && !fail("the file ends without endsolid; it is cut short")) return problem_;
+        if (soup_.empty()) return Error{name_ + ": holds no triangles"};
+        return soup_.take(ScalarType::Double);
     }
 
   private:
+    bool readLine() {
+        Fields fields(lines_.line());
+        const std::string word = lowerCase(fields.next());
+        ended_ = word == "endsolid";
+        if (word == "facet") {
+            if (!corners_.empty())
+                return fail("the triangle before this line has no endfacet; correct it");
+            fields.next();  // "normal"
+            return readVector(fields, normal_);
+        }
+        if (word == "vertex") return readVector(fields, corners_.emplace_back());
+        if (word != "endfacet") return true;
+        if (corners_.size() != 3) {
+            return fail("expected a triangle of three corners, found " +
+                        std::to_string(corners_.size()) + "; correct the lines before");
+        }
+        soup_.add({corners_[0], corners_[1], corners_[2]}, normal_);
+        corners_.clear();
+        return true;
+    }
+
+    Soup soup_;
     Vec3 normal_{0.0};
     std::vector<Vec3> corners_;
     bool ended_ = false;
