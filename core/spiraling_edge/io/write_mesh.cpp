@@ -58,26 +58,25 @@ std::string shiftText(const Vec3& shift) { return "(" + plainNumbers(shift, ", "
 
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options) {
+    const auto fail = [&](const std::string& what) { return Error{path.string() + ": " + what}; };
     const MeshFormat* format = meshFormatOf(path);
     if (format == nullptr) {
-        return Error{path.string() + ": a mesh can be written as " +
-                     listText(meshFormats(), &MeshFormat::extension, "or") +
-                     "; choose one of these extensions"};
+        return fail("a mesh can be written as " +
+                    listText(meshFormats(), &MeshFormat::extension, "or") +
+                    "; choose one of these extensions");
     }
-    if (const Status status = io::checkWritable(points, triangles); !status) {
-        return Error{path.string() + ": " + status.error().message};
-    }
+    if (const Status status = io::checkWritable(points, triangles); !status)
+        return fail(status.error().message);
     if (!fits(*format, points.position)) {
         const auto holdsAll = [](const MeshFormat& f) { return f.greatest == kGreatestDouble; };
-        return Error{path.string() + ": a coordinate is too large for " +
-                     std::string(format->extension) + "; choose " +
-                     listText(meshFormats(), &MeshFormat::extension, "or", holdsAll) +
-                     ", or scale the points"};
+        return fail("a coordinate is too large for " + std::string(format->extension) +
+                    "; choose " + listText(meshFormats(), &MeshFormat::extension, "or", holdsAll) +
+                    ", or scale the points");
     }
     const MeshBytes bytes = options.normals ? format->bytesWithNormals : format->bytes;
     if (bytes == nullptr) {
-        return Error{path.string() + ": " + std::string(format->extension) +
-                     " has no place for normals of points; choose another extension"};
+        return fail(std::string(format->extension) +
+                    " has no place for normals of points; choose another extension");
     }
     return writeFileAtomically(path, bytes(points, triangles));
 }

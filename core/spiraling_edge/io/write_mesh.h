@@ -56,23 +56,18 @@ inline bool keepsColumns(const MeshFormat& format) { return format.leavesOut.emp
 /// True if points without triangles can be written in this format, and read again.
 inline bool keepsPoints(const MeshFormat& format) { return format.loosePoints; }
 
+/// True for every format.
+inline constexpr auto kAllFormats = [](const auto&) { return true; };
 /// Names or extensions (`text`) of the formats that `keeps` is true for, as wordList() joins them:
 /// listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces).
-template <typename Format, typename Keeps>
+template <typename Format, typename Keeps = decltype(kAllFormats)>
 std::string listText(std::span<const Format> formats, std::string_view Format::*text,
-                     std::string_view conjunction, Keeps keeps) {
+                     std::string_view conjunction, Keeps keeps = kAllFormats) {
     std::vector<std::string_view> words;
     for (const Format& each : formats) {
         if (std::invoke(keeps, each)) words.push_back(each.*text);
     }
     return wordList(words, conjunction);
-}
-
-/// Names or extensions of all formats.
-template <typename Format>
-std::string listText(std::span<const Format> formats, std::string_view Format::*text,
-                     std::string_view conjunction) {
-    return listText(formats, text, conjunction, [](const Format&) { return true; });
 }
 
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
