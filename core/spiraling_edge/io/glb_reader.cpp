@@ -1,10 +1,14 @@
 // GLB, binary glTF 2.0: the triangles and points of the scene, each mesh where its nodes place it.
 // Vertices of triangles at the same place are one point, as in STL: a hard edge or a seam of a
 // texture has several.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -13,12 +17,388 @@
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
-#include "spiraling_edge/io/glb_data.h"
 #include "spiraling_edge/io/merged_points.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
+
+// ---- the document -------------------------------------------------------------------------------
+
+// JSON by recursive descent (RFC 8259), with a limit of levels so that no text exhausts the stack:
+// a tree of values that know their place, for errors.
+
+/// A value of a JSON text.
+struct JsonValue {
+    enum class Kind : std::uint8_t { Missing, Null, Boolean, Number, Text, List, Object };
+
+    Kind kind = Kind::Missing;
+    std::size_t at = 0;              ///< Its first byte in the file.
+    double number = 0.0;             ///< 1 for true.
+    std::string text;                ///< Characters beyond ASCII by \u are "?".
+    std::vector<std::string> names;  ///< Of the members of an object.
+    std::vector<JsonValue> items;    ///< Members of an object, or values of a list.
+
+    bool isThere() const { return kind != Kind::Missing; }
+    bool isList() const { return kind == Kind::List; }
+    /// The first member of that name; one that is missing for any other name or kind.
+    const JsonValue& member(std::string_view name) const;
+    /// The value at a place of a list; one that is missing beyond its end.
+    const JsonValue& item(std::size_t i) const;
+};
+
+const JsonValue kMissingJson{};
+
+const JsonValue& JsonValue::member(std::string_view name) const {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? kMissingJson
+                                : items[static_cast<std::size_t>(found - names.begin())];
+}
+
+const JsonValue& JsonValue::item(std::size_t i) const {
+    return isList() && i < items.size() ? items[i] : kMissingJson;
+}
+
+constexpr int kMostLevels = 64;
+constexpr std::size_t kMostValues = 2'000'000;  // About 250 MB of memory.
+
+/// Parses a whole JSON text that begins at the byte `begin` of the file: at most 64 levels of lists
+/// and objects, 2,000,000 values, and no number beyond the largest double. Errors name the byte.
+class JsonParser : FirstProblem {
+  public:
+    JsonParser(std::string_view text, const std::string& name, std::size_t begin)
+        : FirstProblem(name), text_(text), begin_(begin) {}
+
+    Result<JsonValue> parse() {
+        JsonValue root;
+        if (!readValue(root, 0)) return problem_;
+        skipBlanks();
+        if (at_ < text_.size() && !fail("the JSON text goes on after its end")) return problem_;
+        return root;
+    }
+
+  private:
+    bool fail(const std::string& what) { return FirstProblem::fail(begin_ + at_, what); }
+    bool failExpected(const char* what) {
+        return fail(at_ >= text_.size() ? std::string("the JSON text ends within a value")
+                                        : "expected " + std::string(what) + " in the JSON text");
+    }
+    void skipBlanks() {
+        while (at_ < text_.size() && (isSpace(text_[at_]) || text_[at_] == '\n')) ++at_;
+    }
+    bool take(char c) {
+        if (at_ >= text_.size() || text_[at_] != c) return false;
+        ++at_;
+        return true;
+    }
+
+    bool readValue(JsonValue& value, int level) {
+        skipBlanks();
+        value.at = begin_ + at_;
+        if (level > kMostLevels) return fail("the JSON text has more than 64 levels");
+        if (++values_ > kMostValues) return fail("the JSON text has more than 2,000,000 values");
+        if (take('{')) return readItems(value, JsonValue::Kind::Object, level);
+        if (take('[')) return readItems(value, JsonValue::Kind::List, level);
+        if (at_ < text_.size() && text_[at_] == '"') {
+            value.kind = JsonValue::Kind::Text;
+            return readText(value.text);
+        }
+        return readWord(value);
+    }
+
+    /// The rest of a list, or of an object, whose members have names.
+    bool readItems(JsonValue& value, JsonValue::Kind kind, int level) {
+        value.kind = kind;
+        const bool named = kind == JsonValue::Kind::Object;
+        const char end = named ? '}' : ']';
+        skipBlanks();
+        if (take(end)) return true;
+        do {
+            skipBlanks();
+            if (named && !readText(value.names.emplace_back())) return false;
+            // Members are looked up one by one.
+            constexpr std::size_t kMostNames = 1000;
+            if (value.names.size() > kMostNames)
+                return fail("an object of the JSON text has more than 1,000 names");
+            skipBlanks();
+            if (named && !take(':')) return failExpected("\":\"");
+            if (!readValue(value.items.emplace_back(), level + 1)) return false;
+            skipBlanks();
+        } while (take(','));
+        return take(end) || failExpected(named ? "\",\" or \"}\"" : "\",\" or \"]\"");
+    }
+
+    bool readText(std::string& text) {
+        if (!take('"')) return failExpected("a name in quotation marks");
+        constexpr std::string_view kEscapes = "bfnrt";
+        constexpr std::string_view kMeanings = "\b\f\n\r\t";
+        while (at_ < text_.size() && text_[at_] != '"') {
+            char c = text_[at_++];
+            if (c == '\\' && at_ < text_.size()) {
+                c = text_[at_++];
+                const std::size_t known = kEscapes.find(c);
+                if (known != std::string_view::npos) c = kMeanings[known];
+                if (c == 'u') {
+                    at_ = std::min(at_ + 4, text_.size());
+                    c = '?';
+                }
+            }
+            text += c;
+        }
+        return take('"') || failExpected("a quotation mark");
+    }
+
+    /// A number, or one of the three words.
+    bool readWord(JsonValue& value) {
+        const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]}:[{\"", at_), text_.size());
+        const std::string_view word = text_.substr(at_, end - at_);
+        if (word == "null") {
+            value.kind = JsonValue::Kind::Null;
+        } else if (word == "true" || word == "false") {
+            value.kind = JsonValue::Kind::Boolean;
+            value.number = word == "true" ? 1.0 : 0.0;
+        } else if (parseDouble(word, value.number) && std::isfinite(value.number)) {
+            value.kind = JsonValue::Kind::Number;
+        } else {
+            return failExpected("a value");
+        }
+        at_ = end;
+        return true;
+    }
+
+    std::string_view text_;
+    std::size_t begin_;
+    std::size_t at_ = 0;
+    std::size_t values_ = 0;
+};
+
+// ---- numbers ------------------------------------------------------------------------------------
+
+// Sizes are compared by differences and quotients, so that no number of a file overflows.
+
+constexpr std::size_t kGlbHeader = 12;  // Magic, version and length.
+constexpr std::size_t kChunkHead = 8;   // Length and type of a chunk.
+
+/// True for an extension that a file may require: it changes neither places nor triangles, or is
+/// read here.
+bool isHarmless(std::string_view extension) {
+    return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
+           extension.starts_with("EXT_texture_") || extension == "KHR_lights_punctual" ||
+           extension == "KHR_mesh_quantization";
+}
+
+bool isWholeNumber(const JsonValue& value, double below) {
+    return value.kind == JsonValue::Kind::Number && value.number >= 0.0 && value.number < below &&
+           value.number == std::floor(value.number);
+}
+
+/// Numbers of the binary chunk, known to lie within it.
+struct GlbAccessor {
+    const char* first = nullptr;
+    std::size_t stride = 0;  ///< Bytes from one element to the next.
+    std::size_t count = 0;   ///< Elements.
+    std::size_t width = 0;   ///< Numbers of an element.
+    ScalarType type = ScalarType::Float;
+    bool normalized = false;  ///< Whole numbers stand for 0 to 1, or -1 to 1.
+
+    /// The first three numbers of each element, of at least three.
+    std::vector<Vec3> vectors() const;
+    /// The only number of each element.
+    std::vector<double> numbers() const;
+};
+
+std::vector<Vec3> GlbAccessor::vectors() const {
+    std::vector<Vec3> values(count, Vec3(0.0));
+    for (std::size_t axis = 0; axis < 3 && count > 0; ++axis) {
+        Column{&values[0][static_cast<int>(axis)], 3}.load(type, first + axis * sizeOf(type),
+                                                           stride, count, kLittleIsSwapped);
+    }
+    if (!normalized || !isInteger(type)) return values;
+    const double most = withScalar(type, [](auto zero) {
+        return static_cast<double>(std::numeric_limits<decltype(zero)>::max());
+    });
+    for (Vec3& value : values) value = glm::max(value / most, Vec3(-1.0));
+    return values;
+}
+
+std::vector<double> GlbAccessor::numbers() const {
+    std::vector<double> values(count);
+    Column{values.data(), 1}.load(type, first, stride, count, kLittleIsSwapped);
+    return values;
+}
+
+/// Reads the two chunks of a file, and the accessors that its document names. Members that return
+/// false have set the problem, with its byte.
+class GlbData : protected FirstProblem {
+  protected:
+    GlbData(std::string_view bytes, const std::string& name) : FirstProblem(name), bytes_(bytes) {}
+
+    /// Reads the chunks. Fails for extensions that change places or triangles, and for data in
+    /// other files.
+    bool readDocument() {
+        if (!readChunks()) return false;
+        for (const JsonValue& extension : root_.member("extensionsRequired").items) {
+            if (isHarmless(extension.text)) continue;
+            return fail(extension.at, "the file needs the extension " + inQuotes(extension.text) +
+                                          ", which cannot be read; export it without, e.g. without "
+                                          "compression");
+        }
+        for (const JsonValue& buffer : root_.member("buffers").items) {
+            if (buffer.member("uri").isThere())
+                return fail(buffer.at,
+                            "the data are not in the chunk BIN; export it as one GLB file");
+        }
+        return true;
+    }
+
+    const JsonValue& document(std::string_view member) const { return root_.member(member); }
+    std::size_t fileSize() const { return bytes_.size(); }
+
+    /// The number of an item of a list of the document; `noun` is one of them.
+    bool readNumber(const JsonValue& value, std::string_view list, const char* noun,
+                    std::size_t& number) {
+        const std::size_t count = document(list).items.size();
+        if (!isWholeNumber(value, static_cast<double>(count))) {
+            return fail(value.at, "expected the number of one of the " + counted(count, noun) +
+                                      " of the file, from 0");
+        }
+        number = static_cast<std::size_t>(value.number);
+        return true;
+    }
+
+    /// A whole number; 0 where it is missing.
+    bool readSize(const JsonValue& value, std::uint64_t& size) {
+        if (value.isThere() && !isWholeNumber(value, kGreatestWhole))
+            return fail(value.at, "expected a whole number from 0");
+        size = static_cast<std::uint64_t>(value.number);
+        return true;
+    }
+
+    /// An accessor of single numbers (`width` 1), or of vectors of at least `width` numbers.
+    bool readAccessor(const JsonValue& reference, std::size_t width, GlbAccessor& accessor) {
+        static constexpr std::array<std::pair<double, ScalarType>, 6> kTypes{
+            {{5120, ScalarType::Int8},
+             {5121, ScalarType::UInt8},
+             {5122, ScalarType::Int16},
+             {5123, ScalarType::UInt16},
+             {5125, ScalarType::UInt32},
+             {5126, ScalarType::Float}}};
+        static constexpr std::array<std::pair<std::string_view, std::size_t>, 4> kWidths{
+            {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+        std::size_t number = 0;
+        if (!readNumber(reference, "accessors", "accessor", number)) return false;
+        const JsonValue& value = document("accessors").item(number);
+        if (value.member("sparse").isThere() || !value.member("bufferView").isThere()) {
+            return fail(value.at,
+                        "sparse or compressed data cannot be read; export the file without them");
+        }
+        const auto* const type = rowWhere(kTypes, [&](const auto& each) {
+            return value.member("componentType").number == each.first;
+        });
+        const auto* const shape = rowWhere(
+            kWidths, [&](const auto& each) { return value.member("type").text == each.first; });
+        if (type == nullptr || shape == nullptr ||
+            (width == 1 ? shape->second != 1 : shape->second < width)) {
+            return fail(value.at, std::string("expected an accessor of ") +
+                                      (width == 1 ? "single numbers" : "vectors of three numbers") +
+                                      ", of a type that glTF names");
+        }
+        accessor.type = type->second;
+        accessor.width = shape->second;
+        accessor.normalized = value.member("normalized").number == 1.0;
+        return readView(value, accessor);
+    }
+
+  private:
+    std::uint32_t wordAt(std::size_t byte) const {
+        return loadScalar<std::uint32_t>(bytes_.data() + byte, kLittleIsSwapped);
+    }
+
+    bool readChunk(std::size_t& at, std::uint32_t type, const char* kind, std::string_view& chunk) {
+        if (bytes_.size() - at < kChunkHead || wordAt(at + 4) != type)
+            return fail(at, std::string("expected the chunk ") + kind);
+        const std::size_t size = wordAt(at);
+        if (size > bytes_.size() - at - kChunkHead) {
+            return fail(bytes_.size(), std::string("the file ends within its chunk ") + kind +
+                                           " of " + std::to_string(size) +
+                                           " bytes; it is cut short");
+        }
+        chunk = bytes_.substr(at + kChunkHead, size);
+        at += kChunkHead + size;
+        return true;
+    }
+
+    bool readChunks() {
+        constexpr std::uint32_t kJson = 0x4E4F534A;
+        constexpr std::uint32_t kBinary = 0x004E4942;
+        if (bytes_.size() < kGlbHeader)
+            return fail(bytes_.size(), "the file ends within its header of 12 bytes");
+        if (wordAt(4) != 2) {
+            return fail(4, "expected version 2, found " + std::to_string(wordAt(4)) +
+                               "; export it as glTF 2.0");
+        }
+        if (wordAt(8) > bytes_.size()) {
+            return fail(bytes_.size(), "the header announces " + std::to_string(wordAt(8)) +
+                                           " bytes; the file is cut short");
+        }
+        std::size_t at = kGlbHeader;
+        std::string_view json;
+        if (!readChunk(at, kJson, "JSON", json)) return false;
+        if (at < bytes_.size() && !readChunk(at, kBinary, "BIN", binary_)) return false;
+        Result<JsonValue> root = JsonParser(json, name_, kGlbHeader + kChunkHead).parse();
+        if (root) {
+            root_ = std::move(root.value());
+            return true;
+        }
+        problem_ = root.error();
+        return false;
+    }
+
+    /// The bytes of an accessor, which must lie within its view, and that within the chunk.
+    bool readView(const JsonValue& value, GlbAccessor& accessor) {
+        std::size_t number = 0;
+        if (!readNumber(value.member("bufferView"), "bufferViews", "buffer view", number))
+            return false;
+        const JsonValue& view = document("bufferViews").item(number);
+        std::uint64_t buffer = 0;
+        std::uint64_t begin = 0;
+        std::uint64_t size = 0;
+        std::uint64_t stride = 0;
+        std::uint64_t offset = 0;
+        std::uint64_t count = 0;
+        if (!readSize(view.member("buffer"), buffer) ||
+            !readSize(view.member("byteOffset"), begin) ||
+            !readSize(view.member("byteLength"), size) ||
+            !readSize(view.member("byteStride"), stride) ||
+            !readSize(value.member("byteOffset"), offset) ||
+            !readSize(value.member("count"), count))
+            return false;
+        if (buffer != 0 || begin > binary_.size() || size > binary_.size() - begin)
+            return fail(view.at, "the buffer view ends beyond the chunk BIN");
+        const std::uint64_t element = accessor.width * sizeOf(accessor.type);
+        if (stride == 0) stride = element;
+        const bool fits = offset <= size && stride >= element &&
+                          (count == 0 || (size - offset >= element &&
+                                          count - 1 <= (size - offset - element) / stride));
+        if (!fits) {
+            return fail(value.at, counted(count, "element") +
+                                      " of the accessor do not fit into its buffer view of " +
+                                      counted(size, "byte"));
+        }
+        accessor.first = binary_.data() + begin + offset;
+        accessor.stride = static_cast<std::size_t>(stride);
+        accessor.count = static_cast<std::size_t>(count);
+        return true;
+    }
+
+    std::string_view bytes_;
+    std::string_view binary_;
+    JsonValue root_;
+};
+
+// ---- the scene ----------------------------------------------------------------------------------
 
 /// Nodes may place a mesh many times: a small file could ask for any number of points. A file may
 /// have this many, and as many more as its size has room for.
