@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "spiraling_edge/sampling/gzip.h"
-#include "spiraling_edge/sampling/nrrd.h"
 
-namespace se::io {
+namespace se {
 namespace {
 
 /// No byte of a stream unpacks to more than this many (zlib's own documentation).
@@ -102,14 +101,10 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
     return bytes;
 }
 
-}  // namespace se::io
-
-namespace se {
-
 Result<std::string> unpackGzip(std::string_view packed, const std::string& name,
                                const ByteLimit& limit) {
     constexpr std::size_t kStep = std::size_t{1} << 20U;
-    io::Inflater inflater(packed);
+    Inflater inflater(packed);
     std::string bytes;
     std::size_t made = kStep;
     while (made == kStep) {

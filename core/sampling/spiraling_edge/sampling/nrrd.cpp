@@ -4,15 +4,34 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
-#include "spiraling_edge/sampling/nrrd.h"
+#include "spiraling_edge/io/scalars.h"
+#include "spiraling_edge/sampling/gzip.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::io {
 namespace {
+
+struct NrrdHeader {
+    ScalarType type = ScalarType::UInt8;
+    bool bigEndian = false;
+    bool gzip = false;
+    std::string dataFile;  ///< As in the header; empty if the data follow the header.
+    std::size_t dataFileLine = 0;
+    std::uint64_t lineSkip = 0;
+    std::int64_t byteSkip = 0;   ///< -1: the data are the last bytes of the file.
+    std::size_t dataOffset = 0;  ///< End of the header.
+    Volume volume;               ///< Without its values.
+
+    std::size_t samples() const { return volume.size[0] * volume.size[1] * volume.size[2]; }
+};
 
 /// The names of a scalar type in `type`.
 struct TypeNames {
@@ -62,26 +81,14 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-template <typename Words>
-bool contains(const Words& words, std::string_view word) {
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
-}
-
 class HeaderParser : LineByLine {
   public:
     HeaderParser(std::string_view bytes, const std::string& name)
         : LineByLine(bytes, name), size_(bytes.size()) {}
 
+    /// In the result, samples() times sizeOf(type) fits a size_t.
     Result<NrrdHeader> parse() {
-        lines_.next();
-        constexpr std::string_view kMagic = "NRRD000";
-        const std::string_view magic = trimmed(lines_.line());
-        const bool known = magic.size() == kMagic.size() + 1 && magic.starts_with(kMagic) &&
-                           magic.back() >= '1' && magic.back() <= '5';
-        if (!known) {
-            fail("expected NRRD0001 to NRRD0005, found " + inQuotes(magic));
-            return problem_;
-        }
+        if (!takeMagic()) return problem_;
         while (lines_.next()) {
             const std::string_view line = lines_.line();
             if (trimmed(line).empty()) break;
@@ -94,13 +101,21 @@ class HeaderParser : LineByLine {
     }
 
   private:
+    bool takeMagic() {
+        lines_.next();
+        constexpr std::string_view kMagic = "NRRD000";
+        const std::string_view magic = trimmed(lines_.line());
+        const bool known = magic.size() == kMagic.size() + 1 && magic.starts_with(kMagic) &&
+                           magic.back() >= '1' && magic.back() <= '5';
+        return known || fail("expected NRRD0001 to NRRD0005, found " + inQuotes(magic));
+    }
     bool takeLine(std::string_view line) {
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon + 1 >= line.size())
             return fail("expected a field such as `sizes: 64 64 64`, found " + inQuotes(line));
         const std::string key = lowerCase(trimmed(line.substr(0, colon)));
         if (line[colon + 1] == '=') return takeKey(key, trimmed(line.substr(colon + 2)));
-        if (contains(seen_, key)) return fail("the field " + inQuotes(key) + " stands there twice");
+        if (isAmong(key, seen_)) return fail("the field " + inQuotes(key) + " stands there twice");
         seen_.push_back(key);
         return takeField(key, trimmed(line.substr(colon + 1)));
     }
@@ -128,7 +143,7 @@ class HeaderParser : LineByLine {
         if (key == "data file" || key == "datafile") return takeDataFile(text);
         if (key == "line skip" || key == "lineskip") return takeLineSkip(text);
         if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
-        if (contains(kIgnored, key)) return true;
+        if (isAmong(key, kIgnored)) return true;
         return fail("NRRD has no field " + inQuotes(key) +
                     "; own fields are written with := after the name");
     }
@@ -136,7 +151,7 @@ class HeaderParser : LineByLine {
     bool takeType(std::string_view text) {
         const std::string word = lowerCase(text);
         for (const TypeNames& row : kTypes) {
-            if (word.empty() || !contains(row.names, word)) continue;
+            if (word.empty() || !isAmong(word, row.names)) continue;
             header_.type = row.type;
             return true;
         }
@@ -146,11 +161,10 @@ class HeaderParser : LineByLine {
             inQuotes(text));
     }
     bool takeDimension(std::string_view text) {
-        if (text != "3") return fail("dimension: only 3 can be read, found " + inQuotes(text));
-        return true;
+        return text == "3" || fail("dimension: only 3 can be read, found " + inQuotes(text));
     }
     bool takeSizes(std::string_view text) {
-        if (!contains(seen_, "dimension")) return fail("sizes: must come after dimension");
+        if (!isAmong("dimension", seen_)) return fail("sizes: must come after dimension");
         Fields fields(text);
         for (std::size_t& size : header_.volume.size) {
             const std::string_view field = fields.next();
@@ -252,20 +266,18 @@ class HeaderParser : LineByLine {
         return true;
     }
     bool takeLineSkip(std::string_view text) {
-        if (!parseCount(text, header_.lineSkip))
-            return fail("line skip: expected a number from 0 on, found " + inQuotes(text));
-        return true;
+        return parseCount(text, header_.lineSkip) ||
+               fail("line skip: expected a number from 0 on, found " + inQuotes(text));
     }
     bool takeByteSkip(std::string_view text) {
-        if (!parseInteger(text, header_.byteSkip) || header_.byteSkip < -1)
-            return fail("byte skip: expected a number from -1 on, found " + inQuotes(text));
-        return true;
+        return (parseInteger(text, header_.byteSkip) && header_.byteSkip >= -1) ||
+               fail("byte skip: expected a number from -1 on, found " + inQuotes(text));
     }
 
     bool complete() {
         for (const char* field : {"type", "dimension", "sizes", "encoding", "endian"}) {
             const bool needed = field != std::string_view("endian") || sizeOf(header_.type) > 1;
-            if (needed && !contains(seen_, field))
+            if (needed && !isAmong(field, seen_))
                 return fail(std::string("the header ends without the field ") + field);
         }
         if (header_.gzip && header_.byteSkip < 0) return fail("byte skip -1 does not go with gzip");
@@ -285,15 +297,7 @@ class HeaderParser : LineByLine {
     bool hasSpacing_ = false, hasOrigin_ = false, originIsOfAxis_ = false;
 };
 
-}  // namespace
-
-Result<NrrdHeader> parseNrrdHeader(std::string_view bytes, const std::string& name) {
-    return HeaderParser(bytes, name).parse();
-}
-
 // ---- data ---------------------------------------------------------------------------------------
-
-namespace {
 
 /// `data` without its first lines.
 Result<std::string_view> skipLines(std::string_view data, std::size_t count,
@@ -319,8 +323,8 @@ Result<std::string_view> rawBytes(const NrrdHeader& header, std::string_view dat
                  std::to_string(data.size()) + "; check sizes, type and encoding"};
 }
 
-}  // namespace
-
+/// The values, from the bytes that follow the header or those of the data file. `name` is the file
+/// that holds them. Fails before it allocates more than `limit`.
 Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const std::string& name,
                           const ByteLimit& limit) {
     const std::size_t expected = header.samples() * sizeOf(header.type);
@@ -363,4 +367,51 @@ Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const
     return volume;
 }
 
+}  // namespace
 }  // namespace se::io
+
+namespace se {
+
+Result<Volume> readVolume(const std::filesystem::path& path, const ByteLimit& limit) {
+    const std::string name = path.string();
+    const Result<std::string> bytes = readBytes(path, limit);
+    if (!bytes) return bytes.error();
+    const Result<io::NrrdHeader> parsed = io::HeaderParser(bytes.value(), name).parse();
+    if (!parsed) return parsed.error();
+    const io::NrrdHeader& header = parsed.value();
+    if (header.dataFile.empty()) return readVolume(bytes.value(), name, limit);
+    const std::filesystem::path dataPath = path.parent_path() / header.dataFile;
+    if (isUnfit(dataPath)) {
+        return io::errorAt(name, io::lineText(header.dataFileLine),
+                           dataPath.string() + ": expected a regular file");
+    }
+    const Result<std::string> data = readBytes(dataPath, limit);
+    if (!data) return io::errorAt(name, io::lineText(header.dataFileLine), data.error().message);
+    return io::decodeNrrd(header, data.value(), dataPath.string(), limit);
+}
+
+std::filesystem::path dataFileOf(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return {};
+    constexpr std::size_t kHeader = 1U << 16U;  // Without the values that may follow it.
+    std::string bytes(kHeader, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    const std::string name = path.string();
+    const Result<io::NrrdHeader> header = io::HeaderParser(bytes, name).parse();
+    if (!header || header.value().dataFile.empty()) return {};
+    return path.parent_path() / header.value().dataFile;
+}
+
+Result<Volume> readVolume(std::string_view bytes, const std::string& name, const ByteLimit& limit) {
+    const Result<io::NrrdHeader> header = io::HeaderParser(bytes, name).parse();
+    if (!header) return header.error();
+    if (!header.value().dataFile.empty()) {
+        return io::errorAt(name, io::lineText(header.value().dataFileLine),
+                           "the data are in another file, which cannot be reached from here");
+    }
+    return io::decodeNrrd(header.value(), bytes.substr(header.value().dataOffset), name, limit);
+}
+
+}  // namespace se

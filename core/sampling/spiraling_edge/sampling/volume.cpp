@@ -1,14 +1,11 @@
-/// Trilinear interpolation of samples on a grid, and the reader of NRRD files around it
-/// (nrrd.cpp).
+/// Trilinear interpolation of samples on a grid. The reader of volumes is in nrrd.cpp.
 #include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>
 #include <cassert>
-#include <fstream>
 
 #include "spiraling_edge/base/files.h"
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/sampling/nrrd.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se {
 
@@ -20,8 +17,7 @@ std::span<const std::string_view> volumeExtensions() {
 }
 
 bool isVolumePath(const fs::path& path) {
-    const auto all = volumeExtensions();
-    return std::find(all.begin(), all.end(), lowerExtension(path)) != all.end();
+    return isAmong(lowerExtension(path), volumeExtensions());
 }
 
 Vec3 Volume::high() const {
@@ -81,47 +77,6 @@ Vec3 Volume::gradientAt(const Vec3& x) const {
         gradient[axis] = (valueAt(after) - valueAt(before)) / (after[axis] - before[axis]);
     }
     return gradient;
-}
-
-Result<Volume> readVolume(const fs::path& path, const ByteLimit& limit) {
-    const std::string name = path.string();
-    const Result<std::string> bytes = readBytes(path, limit);
-    if (!bytes) return bytes.error();
-    const Result<io::NrrdHeader> parsed = io::parseNrrdHeader(bytes.value(), name);
-    if (!parsed) return parsed.error();
-    const io::NrrdHeader& header = parsed.value();
-    if (header.dataFile.empty()) return readVolume(bytes.value(), name, limit);
-    const fs::path dataPath = path.parent_path() / header.dataFile;
-    if (isUnfit(dataPath)) {
-        return io::errorAt(name, io::lineText(header.dataFileLine),
-                           dataPath.string() + ": expected a regular file");
-    }
-    const Result<std::string> data = readBytes(dataPath, limit);
-    if (!data) return io::errorAt(name, io::lineText(header.dataFileLine), data.error().message);
-    return io::decodeNrrd(header, data.value(), dataPath.string(), limit);
-}
-
-fs::path dataFileOf(const fs::path& path) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return {};
-    constexpr std::size_t kHeader = 1U << 16U;  // Without the values that may follow it.
-    std::string bytes(kHeader, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    const Result<io::NrrdHeader> header = io::parseNrrdHeader(bytes, path.string());
-    if (!header || header.value().dataFile.empty()) return {};
-    return path.parent_path() / header.value().dataFile;
-}
-
-Result<Volume> readVolume(std::string_view bytes, const std::string& name, const ByteLimit& limit) {
-    const Result<io::NrrdHeader> header = io::parseNrrdHeader(bytes, name);
-    if (!header) return header.error();
-    if (!header.value().dataFile.empty()) {
-        return io::errorAt(name, io::lineText(header.value().dataFileLine),
-                           "the data are in another file, which cannot be reached from here");
-    }
-    return io::decodeNrrd(header.value(), bytes.substr(header.value().dataOffset), name, limit);
 }
 
 Field fieldOf(const std::shared_ptr<const Volume>& volume, double isovalue) {
