@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <glm/geometric.hpp>
-#include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/box.h"
@@ -74,6 +74,7 @@ bool isReached(const PairLimits& limits, const PairCounts& counts) {
 struct InBlock {
     std::uint64_t block;
     Index triangle;
+    friend auto operator<=>(const InBlock&, const InBlock&) = default;
 };
 
 /// The input of all tasks.
@@ -143,6 +144,7 @@ class PairTester {
     struct InCell {
         std::uint64_t cell;
         Index candidate;
+        friend auto operator<=>(const InCell&, const InCell&) = default;
     };
 
     void testBlock(std::span<const InBlock> block);
@@ -169,9 +171,7 @@ void PairTester::testBlock(std::span<const InBlock> block) {
             if (BoxCells::blockOf(cell) == each.block) inCells_.push_back({cell, number});
         });
     }
-    std::sort(inCells_.begin(), inCells_.end(), [](const InCell& a, const InCell& b) {
-        return std::tie(a.cell, a.candidate) < std::tie(b.cell, b.candidate);
-    });
+    std::sort(inCells_.begin(), inCells_.end());
     for (std::size_t i = 0; i < inCells_.size() && !isOver(); ++i) {
         const std::uint64_t cell = inCells_[i].cell;
         const PairCandidate& a = candidates_[inCells_[i].candidate];
@@ -282,10 +282,7 @@ TrianglesByBlock trianglesByBlock(const PairInput& input) {
     TrianglesByBlock placed;
     placed.inBlocks.reserve(input.triangles.size() + input.triangles.size() / 2);
     for (Index i = 0; i < input.triangles.size(); ++i) addToBlocks(input, i, placed);
-    std::sort(placed.inBlocks.begin(), placed.inBlocks.end(),
-              [](const InBlock& a, const InBlock& b) {
-                  return std::tie(a.block, a.triangle) < std::tie(b.block, b.triangle);
-              });
+    std::sort(placed.inBlocks.begin(), placed.inBlocks.end());
     return placed;
 }
 

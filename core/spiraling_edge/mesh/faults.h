@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Fault {
     FaultKind kind;
     Index triangle;
     Index other;
-    friend bool operator==(const Fault&, const Fault&) = default;
+    /// By kind, then by triangle.
+    friend auto operator<=>(const Fault&, const Fault&) = default;
 };
 
 /// Maximum number of intersecting pairs, and of second layers: a hopelessly tangled mesh has
