@@ -154,12 +154,8 @@ bool isOutlineOfPatch(const InspectedMesh& mesh, const BoundaryLoop& loop) {
 
 /// InspectedMesh::loops, of a mesh that has all other values.
 std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
-    std::vector<TriangleSide> border;
-    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
-        if (edge.size() == 1) border.push_back(edge[0]);
-    }
     std::vector<BoundaryLoop> loops;
-    for (std::vector<TriangleSide>& its : connectedParts(border, mesh.points.size())) {
+    for (auto& its : connectedParts(mesh.topology.border, mesh.points.size())) {
         const std::vector<LoopSide> chain = loopSidesOf(its);
         BoundaryLoop loop{std::move(its), shapeOf(mesh.points, chain)};
         loop.isOpening = isOutlineOfPatch(mesh, loop) || isOpening(mesh.points, chain, loop.shape);

@@ -7,35 +7,6 @@
 #include "spiraling_edge/mesh/moderate_size.h"
 
 namespace se {
-namespace {
-
-/// Counts the loops of the boundary, of which these are the sides, and measures the widest.
-void countLoops(const PointSet& points, const std::vector<TriangleSide>& border,
-                MeshReport& report) {
-    const auto loops = connectedParts(border, points.size());
-    report.boundaryLoops = loops.size();
-    for (const std::vector<TriangleSide>& loop : loops) {
-        const double width = shapeOf(points, loopSidesOf(loop)).width();
-        if (width < report.widestLoopWidth) continue;
-        report.widestLoopWidth = width;
-        report.widestLoopEdges = loop.size();
-    }
-}
-
-/// Counts the edges by the number of their triangles, and the loops of the boundary.
-void countEdges(const PointSet& points, const MeshTopology& topology, MeshReport& report) {
-    report.edges = topology.edges;
-    std::vector<TriangleSide> border;
-    for (const std::span<const TriangleSide> edge : topology.irregularEdges) {
-        if (edge.size() > 2) ++report.nonManifoldEdges;
-        if (isInconsistent(edge)) ++report.inconsistentEdges;
-        if (edge.size() == 1) border.push_back(edge[0]);
-    }
-    report.boundaryEdges = border.size();
-    countLoops(points, border, report);
-}
-
-}  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
     const ModerateSize size(points, triangles);
@@ -58,7 +29,20 @@ MeshReport reportOf(const PointSet& points, std::span<const Triangle> triangles,
     const auto counts = countFaults(faults);
     report.degenerateTriangles = counts[static_cast<std::size_t>(FaultKind::Degenerate)];
     report.flippedTriangles = counts[static_cast<std::size_t>(FaultKind::Flipped)];
-    countEdges(points, topology, report);
+    report.edges = topology.edges;
+    for (const std::span<const TriangleSide> edge : topology.irregularEdges) {
+        if (edge.size() > 2) ++report.nonManifoldEdges;
+        if (isInconsistent(edge)) ++report.inconsistentEdges;
+    }
+    report.boundaryEdges = topology.border.size();
+    const auto loops = connectedParts(topology.border, points.size());
+    report.boundaryLoops = loops.size();
+    for (const std::vector<TriangleSide>& loop : loops) {
+        const double width = shapeOf(points, loopSidesOf(loop)).width();
+        if (width < report.widestLoopWidth) continue;
+        report.widestLoopWidth = width;
+        report.widestLoopEdges = loop.size();
+    }
     report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
                                  static_cast<long long>(report.edges) +
                                  static_cast<long long>(report.triangles);

@@ -17,6 +17,7 @@ void findIrregularEdges(MeshTopology& mesh) {
         ++mesh.edges;
         if (edge.size() != 2 || edge[0].ascending == edge[1].ascending)
             mesh.irregularEdges.push_back(edge);
+        if (edge.size() == 1) mesh.border.push_back(edge[0]);
     });
 }
 

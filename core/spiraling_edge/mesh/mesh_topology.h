@@ -30,6 +30,7 @@ struct MeshTopology {
     /// The sides of each edge but those of two triangles that pass it in opposite directions, in
     /// the order of `sides`.
     std::vector<std::span<const TriangleSide>> irregularEdges;
+    std::vector<TriangleSide> border;      ///< The edges of one triangle, in the order of `sides`.
     std::vector<bool> used;                ///< Per point: in some triangle.
     std::size_t usedPoints = 0;            ///< Number of points in some triangle.
     std::vector<Index> component;          ///< Per point: the least point of its component.
