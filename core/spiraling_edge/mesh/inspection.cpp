@@ -103,25 +103,48 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     return lost;
 }
 
+/// The points in triangles, in a grid.
+class UsedPoints {
+  public:
+    UsedPoints(const InspectedMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
+        std::vector<Vec3> position;
+        for (Index p = 0; p < mesh.points.size(); ++p) {
+            if (!mesh.topology.used[p]) continue;
+            points_.push_back(p);
+            position.push_back(mesh.points.position[p]);
+        }
+        if (position.empty() || !(reach > 0.0)) return;
+        const WallBox box = boxAround(position);
+        grid_.emplace(box.low, box.high, reach);
+        for (const Vec3& x : position) grid_->add(x);
+    }
+    /// True if one of those within reach of `x` passes a test.
+    template <typename Test>
+    bool anyNear(const Vec3& x, Test&& test) const {
+        bool found = false;
+        if (grid_) {
+            grid_->near(x, [&](Index i) {
+                const double distance = glm::distance(mesh_.points.position[points_[i]], x);
+                found = found || (distance <= reach_ && test(points_[i]));
+            });
+        }
+        return found;
+    }
+
+  private:
+    const InspectedMesh& mesh_;
+    double reach_;
+    std::vector<Index> points_;
+    std::optional<CellGrid> grid_;
+};
+
 /// Removes points of lines from the points in no triangle, if one in a triangle is no farther than
 /// the lines are apart, and counts them.
 std::size_t dropAlongLines(const InspectedMesh& mesh, std::vector<Index>& lost) {
-    const InputFacts& facts = mesh.judge->facts;
-    if (facts.across == 0.0 || lost.empty()) return 0;
-    const std::vector<Vec3>& position = mesh.judge->points.position;
-    CellGrid grid(facts.low, facts.high, facts.across);
-    std::vector<Index> used;
-    for (Index p = 0; p < position.size(); ++p) {
-        if (!mesh.topology.used[p]) continue;
-        grid.add(position[p]);
-        used.push_back(p);
-    }
+    if (mesh.judge->facts.across == 0.0 || lost.empty()) return 0;
+    const UsedPoints used(mesh, mesh.judge->facts.across);
     return std::erase_if(lost, [&](Index p) {
-        bool beside = false;
-        grid.near(position[p], [&](Index i) {
-            beside = beside || glm::distance(position[p], position[used[i]]) <= facts.across;
-        });
-        return beside;
+        return used.anyNear(mesh.points.position[p], [](Index) { return true; });
     });
 }
 
@@ -271,47 +294,6 @@ void slivers(const InspectedMesh& mesh, Failures& failures) {
 
 // ---- checks of edges and points -----------------------------------------------------------------
 
-MeshFailure atEdge(const InspectedMesh& mesh, std::span<const TriangleSide> edge) {
-    std::vector<Index> triangles;
-    for (const TriangleSide& side : edge) triangles.push_back(side.triangle);
-    return mesh.at({edge[0].low, edge[0].high}, std::move(triangles));
-}
-
-/// The points in triangles, in a grid.
-class UsedPoints {
-  public:
-    UsedPoints(const InspectedMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
-        std::vector<Vec3> position;
-        for (Index p = 0; p < mesh.points.size(); ++p) {
-            if (!mesh.topology.used[p]) continue;
-            points_.push_back(p);
-            position.push_back(mesh.points.position[p]);
-        }
-        if (position.empty() || !(reach > 0.0)) return;
-        const WallBox box = boxAround(position);
-        grid_.emplace(box.low, box.high, reach);
-        for (const Vec3& x : position) grid_->add(x);
-    }
-    /// True if one of those within reach of `x` passes a test.
-    template <typename Test>
-    bool anyNear(const Vec3& x, Test&& test) const {
-        bool found = false;
-        if (grid_) {
-            grid_->near(x, [&](Index i) {
-                const Vec3 d = mesh_.points.position[points_[i]] - x;
-                found = found || (glm::dot(d, d) <= reach_ * reach_ && test(points_[i]));
-            });
-        }
-        return found;
-    }
-
-  private:
-    const InspectedMesh& mesh_;
-    double reach_;
-    std::vector<Index> points_;
-    std::optional<CellGrid> grid_;
-};
-
 /// The lost points near a used one, or the isolated ones.
 template <bool isolated>
 void lostPoints(const InspectedMesh& mesh, Failures& failures) {
@@ -323,15 +305,16 @@ void lostPoints(const InspectedMesh& mesh, Failures& failures) {
     }
 }
 
-void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
-    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
-        if (edge.size() > 2) failures.push_back(atEdge(mesh, edge));
-    }
-}
+bool isNonManifold(std::span<const TriangleSide> edge) { return edge.size() > 2; }
 
-void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
+/// The edges that pass a test.
+template <bool (*test)(std::span<const TriangleSide>)>
+void edgesWhere(const InspectedMesh& mesh, Failures& failures) {
     for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
-        if (isInconsistent(edge)) failures.push_back(atEdge(mesh, edge));
+        if (!test(edge)) continue;
+        std::vector<Index> triangles;
+        for (const TriangleSide& side : edge) triangles.push_back(side.triangle);
+        failures.push_back(mesh.at({edge[0].low, edge[0].high}, std::move(triangles)));
     }
 }
 
@@ -490,12 +473,12 @@ void spikes(const InspectedMesh& mesh, Failures& failures) {
 
 constexpr FailureClass kClasses[] = {
     {"non_manifold_edges", "non-manifold edge", "Three or more triangles meet at an edge.", true, 5,
-     nonManifoldEdges},
+     edgesWhere<isNonManifold>},
     {"non_manifold_vertices", "non-manifold vertex",
      "The triangles about a point are more than one fan.", true, 6, nonManifoldVertices},
     {"inconsistent_edges", "inconsistent edge",
      "Two triangles pass an edge in the same direction: one of them is inside out.", true, 7,
-     inconsistentEdges},
+     edgesWhere<isInconsistent>},
     {"duplicate_triangles", "duplicate triangle", "Two triangles have the same three points.", true,
      9, duplicates},
     {"degenerate_triangles", "degenerate triangle",
@@ -634,7 +617,7 @@ bool isStillThere(const MeshFailure& failure, std::span<const MeshFailure> failu
         const std::size_t shared = countWhere(each.points, [&](Index p) {
             return std::binary_search(failure.points.begin(), failure.points.end(), p);
         });
-        return static_cast<std::size_t>(shared) >= enough;
+        return shared >= enough;
     });
 }
 
