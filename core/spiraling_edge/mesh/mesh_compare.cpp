@@ -7,10 +7,11 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "spiraling_edge/base/disjoint_sets.h"
-#include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/base/lists.h"
+#include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
@@ -228,6 +229,28 @@ Match TriangleSet::find(const Triangle& triangle) const {
     };
     if (isThere(entry.odd)) return Match::Same;
     return isThere(!entry.odd) ? Match::Reversed : Match::Missing;
+}
+
+std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
+                                     const std::vector<Triangle>& after) {
+    const auto corners = [](const Triangle& t) {
+        std::array<Index, 3> c = {t.a, t.b, t.c};
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        return c;
+    };
+    // The steps change a few entries of a long list, so only those are compared with each other.
+    const std::size_t common = std::min(before.size(), after.size());
+    std::set<std::array<Index, 3>> old;
+    std::vector<Triangle> fresh;
+    for (std::size_t i = 0; i < common; ++i) {
+        if (before[i] == after[i]) continue;
+        old.insert(corners(before[i]));
+        fresh.push_back(after[i]);
+    }
+    for (std::size_t i = common; i < before.size(); ++i) old.insert(corners(before[i]));
+    for (std::size_t i = common; i < after.size(); ++i) fresh.push_back(after[i]);
+    std::erase_if(fresh, [&](const Triangle& t) { return old.contains(corners(t)); });
+    return fresh;
 }
 
 }  // namespace se

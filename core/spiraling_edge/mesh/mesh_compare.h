@@ -89,4 +89,9 @@ class TriangleSet {
     std::vector<SortedTriangle> entries_;  ///< In order.
 };
 
+/// Triangles of `after` that `before` lacks, regardless of the first corner: those that a step
+/// after the last pivot made. Fast where few entries of the lists differ.
+std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
+                                     const std::vector<Triangle>& after);
+
 }  // namespace se

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "spiraling_edge/base/overloaded.h"
-#include "spiraling_edge/mesh/fresh_triangles.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/run/ring_replay.h"
 #include "spiraling_edge/stepper/verdict_table.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "spiraling_edge/mesh/fresh_triangles.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/timeline.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
