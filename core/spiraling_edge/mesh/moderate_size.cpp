@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -33,21 +34,22 @@ int moderatingPower(const PointSet& points, std::span<const Triangle> triangles)
     for (Index p = 0; p < points.size(); ++p) {
         if (used[p]) sizes.push_back(magnitude(points.position[p]));
     }
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle == 0.0 || isModerate(*middle) ? 0 : -std::ilogb(*middle);
+    const double middle = medianOf(sizes);
+    return middle == 0.0 || isModerate(middle) ? 0 : -std::ilogb(middle);
+}
+
+Vec3 scaledBy(int power, const Vec3& x) {
+    return {std::ldexp(x.x, power), std::ldexp(x.y, power), std::ldexp(x.z, power)};
 }
 
 PointSet scaledBy(int power, PointSet points) {
-    for (Vec3& x : points.position)
-        x = {std::ldexp(x.x, power), std::ldexp(x.y, power), std::ldexp(x.z, power)};
+    for (Vec3& x : points.position) x = scaledBy(power, x);
     if (!points.judge) return points;
     MeshJudge judge = *points.judge;
     judge.points = scaledBy(power, std::move(judge.points));
     InputFacts& facts = judge.facts;
-    for (Vec3* corner : {&facts.low, &facts.high}) {
-        for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = std::ldexp((*corner)[axis], power);
-    }
+    facts.low = scaledBy(power, facts.low);
+    facts.high = scaledBy(power, facts.high);
     facts.across = std::ldexp(facts.across, power);
     for (double& spacing : judge.spacing) spacing = std::ldexp(spacing, power);
     for (double& reach : judge.reach) reach = std::ldexp(reach, power);
@@ -61,5 +63,7 @@ ModerateSize::ModerateSize(const PointSet& points, std::span<const Triangle> tri
     : given_(&points), power_(moderatingPower(points, triangles)) {
     if (power_ != 0) scaled_ = scaledBy(power_, points);
 }
+
+Vec3 ModerateSize::place(const Vec3& moderate) const { return scaledBy(-power_, moderate); }
 
 }  // namespace se

@@ -25,9 +25,7 @@ class ModerateSize {
     /// An area of points(), in scene units squared.
     double area(double moderate) const { return std::ldexp(moderate, -2 * power_); }
     /// A place among points(), in scene units.
-    Vec3 place(const Vec3& moderate) const {
-        return {length(moderate.x), length(moderate.y), length(moderate.z)};
-    }
+    Vec3 place(const Vec3& moderate) const;
 
   private:
     const PointSet* given_;
