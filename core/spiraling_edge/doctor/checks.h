@@ -146,6 +146,11 @@ std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const Neighbo
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
                                  const std::string& what, std::string_view noun = "point");
 
+/// A finding about the file as a whole: about all points with a place of their own.
+inline Finding findingOf(const ExaminedFile& examined, Severity severity, std::string text) {
+    return {nullptr, severity, examined.presentCount, {}, std::move(text)};
+}
+
 // position_checks.cpp: single points
 std::optional<Finding> findNonFinite(const ExaminedFile& examined);
 std::optional<Finding> findDuplicates(const ExaminedFile& examined);

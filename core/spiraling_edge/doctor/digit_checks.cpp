@@ -126,12 +126,9 @@ std::optional<Finding> findLostDigits(const ExaminedFile& examined) {
         text += text.empty() ? "" : ", and ";
         text += std::string(1, "xyz"[axis]) + " keeps steps of " + shortNumber(steps[axis]);
     }
-    Finding finding{
-        nullptr,
-        Severity::Warning,
-        examined.presentCount,
-        {},
-        text + ": digits were lost; the spacing is " + shortNumber(examined.middleSpacing)};
+    Finding finding = findingOf(
+        examined, Severity::Warning,
+        text + ": digits were lost; the spacing is " + shortNumber(examined.middleSpacing));
     const auto widest = std::max_element(steps.begin(), steps.end());
     Vec3 step(0.0);
     step[static_cast<Vec3::length_type>(widest - steps.begin())] = 0.5 * *widest;

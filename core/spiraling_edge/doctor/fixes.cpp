@@ -40,9 +40,7 @@ class FixApplication {
     /// `what` is the text for one, `many` that for several.
     void note(std::string_view name, std::size_t count, const std::string& what,
               const std::string& many) {
-        if (count == 0) return;
-        fixes_.push_back(
-            {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
+        if (count > 0) fixes_.push_back({name, count, counted(count, what, many)});
     }
 
     void markUnfit() {

@@ -1,6 +1,7 @@
 // Checks of the neighbor lists: one-sided, empty, too short or out of order.
 #include <algorithm>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 
 namespace se {
@@ -19,8 +20,7 @@ std::optional<Finding> entriesAt(const ExaminedFile& examined, Severity severity
     std::optional<Finding> finding = findingAt(std::move(points), severity, what, "list");
     if (!finding) return finding;
     finding->count = entries;
-    finding->text.insert(
-        0, (entries == 1 ? "1 entry" : std::to_string(entries) + " entries") + " in ");
+    finding->text.insert(0, counted(entries, "entry", "entries") + " in ");
     return finding;
 }
 

@@ -32,13 +32,10 @@ std::string placeText(const Vec3& x) {
 
 /// Points spread over the file that have normals.
 std::vector<Index> triedPoints(const ExaminedFile& examined) {
-    std::vector<Index> tried;
     const std::size_t step = std::max<std::size_t>(1, examined.presentCount / kTried);
     std::size_t next = 0;
-    for (Index p = 0; p < examined.size(); ++p) {
-        if (examined.hasSide(p) && next++ % step == 0) tried.push_back(p);
-    }
-    return tried;
+    return pointsWhere(examined.size(),
+                       [&](Index p) { return examined.hasSide(p) && next++ % step == 0; });
 }
 
 /// The points of a trial, and the normals as they are in the file.

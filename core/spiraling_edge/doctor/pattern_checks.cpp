@@ -89,12 +89,10 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
     constexpr double kMost = 50.0;
     const double ratio = facts.across / facts.along;
     if (ratio < kLeast || ratio > kMost) return std::nullopt;
-    Finding finding{nullptr,
-                    Severity::Warning,
-                    examined.presentCount,
-                    {},
-                    "the points lie in lines: " + shortNumber(facts.along) +
-                        " apart along them, and " + shortNumber(facts.across) + " across"};
+    Finding finding =
+        findingOf(examined, Severity::Warning,
+                  "the points lie in lines: " + shortNumber(facts.along) +
+                      " apart along them, and " + shortNumber(facts.across) + " across");
     thin(examined, rounded(kThinnedLines * facts.across), finding);
     // All of a list lies along the line.
     finding.lines = alongLists(examined, examined.nearest());

@@ -50,8 +50,8 @@ std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {
     const std::string text = counted(examined.presentCount, "point") + " with a place of " +
                              (examined.presentCount == 1 ? "its" : "their") + " own: ";
     if (examined.presentCount == kTriangle)
-        return Finding{nullptr, Severity::Warning, kTriangle, {}, text + "one triangle at most"};
-    return Finding{nullptr, Severity::Error, examined.presentCount, {}, text + "no triangle"};
+        return findingOf(examined, Severity::Warning, text + "one triangle at most");
+    return findingOf(examined, Severity::Error, text + "no triangle");
 }
 
 // ---- near duplicates ----------------------------------------------------------------------------

@@ -193,12 +193,9 @@ std::optional<Finding> findExtremeSize(const ExaminedFile& examined) {
     const Vec3 extent = examined.intake.judge->facts.extent();
     const double size = std::max({extent.x, extent.y, extent.z});
     if (!(size > 0.0) || (size <= kMost && size >= 1.0 / kMost)) return std::nullopt;
-    Finding finding{nullptr,
-                    Severity::Note,
-                    examined.presentCount,
-                    {},
-                    "the points span " + shortNumber(size) +
-                        ": meshes of robust may have more faults than at a usual size"};
+    Finding finding = findingOf(examined, Severity::Note,
+                                "the points span " + shortNumber(size) +
+                                    ": meshes of robust may have more faults than at a usual size");
     finding.scale = Vec3(std::ldexp(1.0, -std::ilogb(size)));
     return finding;
 }
@@ -207,14 +204,12 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
     if (!examined.units) return std::nullopt;
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
     const Vec3& extent = examined.units->extent;
-    Finding finding{nullptr,
-                    Severity::Error,
-                    examined.presentCount,
-                    {},
-                    "x, y and z have different units: they span " + shortNumber(extent.x) + ", " +
-                        shortNumber(extent.y) + " and " + shortNumber(extent.z) + "; " +
-                        percent(examined.units->planar) + " of the places are planar, and " +
-                        percent(examined.units->planarScaled) + " with equal spans"};
+    Finding finding =
+        findingOf(examined, Severity::Error,
+                  "x, y and z have different units: they span " + shortNumber(extent.x) + ", " +
+                      shortNumber(extent.y) + " and " + shortNumber(extent.z) + "; " +
+                      percent(examined.units->planar) + " of the places are planar, and " +
+                      percent(examined.units->planarScaled) + " with equal spans");
     finding.lines = alongLists(examined, examined.nearest());
     // Those are short: points of one height, of all of the surface.
     for (EvidenceLine line : alongLists(examined, examined.units->scaled)) {
