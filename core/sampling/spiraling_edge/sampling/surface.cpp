@@ -147,6 +147,12 @@ class Lattice {
     Vec3 cell_;
 };
 
+/// Position of a corner among those of a plane that is `across` cells wide.
+std::size_t slotOf(int across, int i, int j) {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(across + 1) +
+           static_cast<std::size_t>(i);
+}
+
 bool differ(double a, double b) { return (a > 0.0) != (b > 0.0); }
 
 /// Crossings of the edges that begin in layers from .. to, a layer being all corners of one z.
@@ -167,10 +173,7 @@ class Layers {
     std::vector<Crossing> take() { return std::move(found_); }
 
   private:
-    std::size_t slot(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice_.cells().x + 1) +
-               static_cast<std::size_t>(i);
-    }
+    std::size_t slot(int i, int j) const { return slotOf(lattice_.cells().x, i, j); }
     std::vector<double> layer(int k) const { return lattice_.valuesOn({0, 0, k}, 0, 1); }
     void look(const glm::ivec3& at, const std::vector<double>& here,
               const std::vector<double>& above) {
@@ -239,10 +242,7 @@ class Wall {
         at[v_] = j;
         return at;
     }
-    std::size_t slot(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(across_ + 1) +
-               static_cast<std::size_t>(i);
-    }
+    std::size_t slot(int i, int j) const { return slotOf(across_, i, j); }
     double value(int i, int j) const { return values_[slot(i, j)]; }
 
     void findNodes() {
