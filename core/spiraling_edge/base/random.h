@@ -21,10 +21,7 @@ class SplitMix {
     /// In [0, 1).
     double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
     Vec3 inBox(const Vec3& low, const Vec3& high) {
-        const double x = unit();
-        const double y = unit();
-        const double z = unit();
-        return low + (high - low) * Vec3(x, y, z);
+        return low + (high - low) * Vec3{unit(), unit(), unit()};  // Braces keep the order.
     }
 
   private:
