@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <memory>
 #include <utility>
 
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/gzip.h"
@@ -35,7 +40,25 @@ void refuseOtherThings(const std::string& input) {
     }
 }
 
+Field readVolumeField(const std::string& input, const std::optional<double>& isovalue,
+                      const ByteLimit& limit) {
+    const auto volume = std::make_shared<const Volume>(
+        require(readVolume(std::filesystem::path(input), limit), ExitCode::Input));
+    const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
+    if (!iso) {
+        const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
+        throw Failure(ExitCode::Usage, "{}: has no isovalue; give --iso V, from {} to {}", input,
+                      *least, *most);
+    }
+    return fieldOf(volume, *iso);
+}
+
 }  // namespace
+
+RunSpec specOf(const SpecChange& given, RunSpec spec) {
+    require(applyChange(given, spec), ExitCode::Usage);
+    return spec;
+}
 
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
@@ -133,6 +156,41 @@ PreparedInput InputArguments::prepare(PointFile file, const RunSpec& spec,
     file.normal = prepared.points.normal;
     file.type = prepared.points.type;
     return {applyFixes(file).file, std::move(prepared.points), std::move(params)};
+}
+
+Field readSurface(const std::string& input, const std::optional<double>& isovalue,
+                  const ByteLimit& limit) {
+    if (isovalue && !std::isfinite(*isovalue))
+        throw Failure(ExitCode::Usage, "--iso: must be a finite number");
+    if (isVolumePath(input)) return readVolumeField(input, isovalue, limit);
+    const Shape* shape = findShape(input);
+    if (shape == nullptr) {
+        throw Failure(
+            ExitCode::Input,
+            "{} neither a shape nor a volume ({}); `spiraling-edge sample --list` lists the shapes",
+            input, wordList(volumeExtensions(), ""));
+    }
+    Field field = fieldOf(*shape);
+    if (isovalue) field.isovalue = *isovalue;
+    return field;
+}
+
+void cutBy(const WallBox& box, const std::string& input, Field& field) {
+    const bool within = glm::clamp(box.low, field.low, field.high) == box.low &&
+                        glm::clamp(box.high, field.low, field.high) == box.high;
+    if (isVolumePath(input) && !within) {
+        throw Failure(ExitCode::Usage, "--box: {} ends at {},{},{} and {},{},{}", input,
+                      field.low.x, field.low.y, field.low.z, field.high.x, field.high.y,
+                      field.high.z);
+    }
+    field = inBox(std::move(field), box.low, box.high);
+}
+
+PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
+                       ProgressLine& line) {
+    return runWithProgress("sampling", input, line, [&](const Progress& progress) {
+        return sample(field, options, progress);
+    });
 }
 
 }  // namespace se::cli

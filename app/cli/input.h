@@ -1,18 +1,23 @@
 /// The points of a verb: the options that say which they are and how they are prepared, their
-/// reading, and their preparation.
+/// reading, and their preparation; and surfaces to sample points on.
 #pragma once
 
 #include <initializer_list>
 #include <optional>
 #include <string>
 
-#include "options.h"
+#include "options/spec_options.h"
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se::cli {
+
+/// The spec of these values. Throws Failure(Usage) with the first that is not valid.
+RunSpec specOf(const SpecChange& given, RunSpec spec = {});
 
 /// Reads a file, `-` or scene:ID. Throws Failure(Input) if it is missing or malformed.
 PointFile readInput(const std::string& input, const ByteLimit& limit);
@@ -87,5 +92,17 @@ class InputArguments {
     SpecOptions options_;
     mutable std::optional<RunSpec> spec_;
 };
+
+/// Field of a surface, the name of a shape or the file of a volume, at `isovalue` or at its own.
+/// Throws Failure without field or isovalue.
+Field readSurface(const std::string& input, const std::optional<double>& isovalue,
+                  const ByteLimit& limit);
+
+/// Makes `box` the domain. Throws Failure if a volume, whose name begins messages, is smaller.
+void cutBy(const WallBox& box, const std::string& input, Field& field);
+
+/// Samples with the progress line. Throws Failure if sampling fails.
+PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
+                       ProgressLine& line);
 
 }  // namespace se::cli

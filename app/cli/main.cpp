@@ -131,6 +131,24 @@ ExitCode dispatch(const Arguments& arguments) {
 }
 
 }  // namespace
+
+std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments) {
+    if (asksForOptionList(arguments)) {
+        printText(optionList(app));
+        return ExitCode::Good;
+    }
+    Arguments reversed(arguments.rbegin(), arguments.rend());  // in the order that CLI11 expects
+    try {
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        printText(app.help());
+        return ExitCode::Good;
+    } catch (const CLI::ParseError& problem) {
+        throw Failure(ExitCode::Usage, "{}; see {} --help", problem.what(), app.get_name());
+    }
+    return std::nullopt;
+}
+
 }  // namespace se::cli
 
 int main(int argc, char** argv) {

@@ -1,6 +1,8 @@
 /// Verbs of `spiraling-edge VERB ...`: one function and one file each, tabled in main.cpp.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,11 @@ namespace se::cli {
 
 /// Words after the verb on the command line.
 using Arguments = std::vector<std::string>;
+
+/// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
+/// to exit with, after the help, or with `--json` the options as data, was printed. Throws Failure
+/// on wrong usage.
+std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
 /// Triangulates points; writes mesh, report and trace.
 ExitCode runVerb(const Arguments& arguments);

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "output/failure_totals.h"
 #include "output/sentences.h"

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"

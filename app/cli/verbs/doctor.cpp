@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "output/sentences.h"
 #include "progress.h"

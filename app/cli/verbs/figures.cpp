@@ -5,14 +5,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "options.h"
+#include "input.h"
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/why/figure_check.h"
-#include "surface_input.h"
-#include "teach/spec_json.h"
 #include "teach/trace/conformance.h"
 #include "teach/trace/setrace.h"
 #include "verbs.h"

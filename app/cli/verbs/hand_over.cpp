@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "options.h"
 #include "output/output.h"
 #include "spiraling_edge/base/operating_system.h"
 #include "verbs.h"

@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/files.h"

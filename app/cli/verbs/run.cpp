@@ -8,7 +8,6 @@
 
 #include "exit_code.h"
 #include "input.h"
-#include "options.h"
 #include "output/output.h"
 #include "output/report.h"
 #include "output/sentences.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "options.h"
+#include "input.h"
 #include "output/answer.h"
 #include "output/sentences.h"
 #include "progress.h"
@@ -12,7 +12,6 @@
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
-#include "surface_input.h"
 #include "verbs.h"
 
 namespace se::cli {

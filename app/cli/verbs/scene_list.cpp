@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "options.h"
 #include "output/answer.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "verbs.h"

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "input.h"
-#include "options.h"
 #include "output/answer.h"
 #include "output/sentences.h"
 #include "progress.h"
@@ -18,7 +17,6 @@
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/sampling/volume.h"
-#include "surface_input.h"
 #include "verbs.h"
 
 namespace se::cli {
