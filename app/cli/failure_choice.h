@@ -16,11 +16,21 @@ struct FailureChoice {
 /// Throws Failure if there is no such class, or N is no number.
 FailureChoice failureChoiceFrom(const std::string& text);
 
-/// The chosen failure. Throws Failure if the list of the run on `input` lacks it.
-MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& choice,
-                        const std::string& input);
-/// The chosen failure with its moments. Throws Failure if the list lacks it.
-RunFailure pickFailure(const RunFailureSearch& found, const FailureChoice& choice,
-                       const std::string& input);
+/// Throws Failure: the list of the run on `input`, which has these failures in all, lacks it.
+[[noreturn]] void noSuchFailure(std::span<const ClassTotal> totals, const FailureChoice& wanted,
+                                const std::string& input);
+
+/// The chosen failure of a list, with or without its moments; kindOf(failure) is its class. Throws
+/// as noSuchFailure() if it is not there.
+template <typename Listed, typename KindOf>
+const Listed& pickFailure(const std::vector<Listed>& list, KindOf kindOf,
+                          std::span<const ClassTotal> totals, const FailureChoice& wanted,
+                          const std::string& input) {
+    std::size_t seen = 0;
+    for (const Listed& each : list) {
+        if (kindOf(each) == wanted.kind && ++seen == wanted.number) return each;
+    }
+    noSuchFailure(totals, wanted, input);
+}
 
 }  // namespace se::cli

@@ -85,6 +85,14 @@ PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
     return require(prepareOptionsOf(spec, params, file), ExitCode::Usage, "--scanner: ");
 }
 
+Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file, const RunSpec& spec,
+                                                    const Params& params, const PointSet& run,
+                                                    const Progress& progress) {
+    const auto judge = judgeFor(file, prepareOptionsFrom(spec, params, file), run, progress);
+    if (!judge) return judge.error();
+    return withoutOpeningsToClose(judge.value(), params);
+}
+
 void requireNoStart(const GivenStart& start, const std::string& what) {
     if (start.empty()) return;
     throw Failure(ExitCode::Usage,
@@ -135,14 +143,6 @@ PointFile InputArguments::read(const ProgressLine& line) const {
     if (line.isWanted() && !kept.empty())
         printNote(fmt::format("{}: kept {}\n", printable(input_), kept));
     return std::move(read.file);
-}
-
-PreparedInput InputArguments::prepare(ProgressLine& line) const {
-    return prepare(read(line), line);
-}
-
-PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
-    return prepare(std::move(file), spec(), line);
 }
 
 PreparedInput InputArguments::prepare(PointFile file, const RunSpec& spec,

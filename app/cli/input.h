@@ -11,6 +11,7 @@
 #include "progress.h"
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/stepper/params.h"
 
@@ -41,6 +42,12 @@ InputPiece readPiece(const RunSpec& spec);
 Params paramsFrom(const RunSpec& spec);
 /// Its options of preparing. Throws Failure(Usage) where they do not fit the file.
 PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params, const PointFile& file);
+
+/// The judge of the meshes of a run, whose points were prepared from `file` by `spec`, without the
+/// openings that it closes. Fails as judgeFor(); throws as prepareOptionsFrom().
+Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file, const RunSpec& spec,
+                                                    const Params& params, const PointSet& run,
+                                                    const Progress& progress = {});
 
 /// Throws Failure(Usage) if there is a start, which names points by numbers, for work that changes
 /// them: `what` ("--crop") begins the message.
@@ -80,10 +87,8 @@ class InputArguments {
     /// are wanted. Throws Failure.
     PointFile read(const ProgressLine& line) const;
     /// Reads and prepares, with the line of progress. Throws Failure.
-    PreparedInput prepare(ProgressLine& line) const;
-    /// Prepares what read() has returned. Throws Failure.
-    PreparedInput prepare(PointFile file, ProgressLine& line) const;
-    /// As another run, by another spec.
+    PreparedInput prepare(ProgressLine& line) const { return prepare(read(line), spec(), line); }
+    /// Prepares what read() has returned, also as another run, by another spec. Throws Failure.
     PreparedInput prepare(PointFile file, const RunSpec& spec, ProgressLine& line) const;
 
   private:

@@ -71,16 +71,9 @@ Json ruleJson(const RuleSetting& rule, double value) {
 constexpr std::size_t kMaxAlerts = 100;
 constexpr std::size_t kMaxFaults = 100;
 
-std::string_view nameOf(Ending ending) {
-    switch (ending) {
-        case Ending::Finished:
-            return "finished";
-        case Ending::Capped:
-            return "capped";
-        case Ending::MaxPivots:
-            return "max_pivots";
-    }
-    return {};
+std::string_view nameOf(StopReason ending) {
+    if (ending == StopReason::Condition) return "max_pivots";
+    return ending == StopReason::Capped ? "capped" : "finished";
 }
 
 void addCounters(const Counters& counters, Json& json) {
@@ -270,10 +263,10 @@ std::string faultCounts(const RunOutcome& outcome) {
 }
 
 std::string endingSentence(const RunOutcome& outcome) {
-    if (outcome.ending == Ending::MaxPivots)
+    if (outcome.ending == StopReason::Condition)
         return "stopped after " + counted(outcome.state.counters.pivots, "pivot") +
                ", as requested";
-    if (outcome.ending == Ending::Finished) return "";
+    if (outcome.ending == StopReason::Finished) return "";
     return fmt::format(
         "stopped: more than {} triangles per point, the input is too tangled; see docs/robust.md",
         outcome.params.maxTrianglesPerPoint);
@@ -300,7 +293,7 @@ std::string faultSentence(const RunOutcome& outcome) {
                                          : counted(count, "fault") + ": " + faultCounts(outcome));
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
-    const bool whole = outcome.ending == Ending::Finished && outcome.params.whatIf.empty() &&
+    const bool whole = outcome.ending == StopReason::Finished && outcome.params.whatIf.empty() &&
                        outcome.params.start.empty();
     if (!outcome.trials && whole) text += "; --best may avoid them";
     return text;

@@ -9,13 +9,10 @@
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/stepper/stepper.h"
 #include "spiraling_edge/why/trial.h"
 
 namespace se::cli {
-
-/// Why the run ended.
-enum class Ending { Finished, Capped, MaxPivots };
 
 /// Wall clock of the parts of a run.
 struct Seconds {
@@ -49,7 +46,7 @@ struct RunOutcome {
     std::optional<InputFacts> facts;  ///< With `pairs`.
     State state;
     Seconds seconds;
-    Ending ending = Ending::Finished;
+    StopReason ending = StopReason::Finished;  ///< Condition: after --max-pivots.
 };
 
 /// "the mesh has 3 faults at 2 places: 2 holes, 1 folded; --best may avoid them", "no fault

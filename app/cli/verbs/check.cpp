@@ -13,7 +13,6 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
-#include "spiraling_edge/prepare/judge.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -94,12 +93,10 @@ PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
     const auto judgeOf = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
         const Params params = paramsFrom(arguments.spec);
-        const PrepareOptions options = prepareOptionsFrom(arguments.spec, params, file);
-        const Result<Prepared> prepared = prepare(file, options);
+        const Result<Prepared> prepared =
+            prepare(file, prepareOptionsFrom(arguments.spec, params, file));
         if (!prepared) return prepared.error();
-        const auto made = judgeFor(file, options, prepared.value().points);
-        if (!made) return made.error();
-        return withoutOpeningsToClose(made.value(), params);
+        return judgeOfRun(file, arguments.spec, params, prepared.value().points);
     };
     auto judge = require(judgeOf(), ExitCode::Input, nameOfInput(arguments.cloud) + ": ");
     PointSet points = judge->points;

@@ -261,7 +261,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const RunSpec& othe
     const std::string& input = arguments.input.input();
     // Read once: standard input cannot be read a second time.
     const PointFile file = arguments.input.read(line);
-    const PreparedInput a = arguments.input.prepare(file, line);
+    const PreparedInput a = arguments.input.prepare(file, arguments.input.spec(), line);
     const PreparedInput b = arguments.input.prepare(file, other, line);
     RunComparison runs = runWithProgress("comparing", input, line, [&](const Progress& progress) {
         return compareRuns({a.points, a.params}, {b.points, b.params}, progress);

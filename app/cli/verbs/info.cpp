@@ -10,7 +10,6 @@
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"
-#include "spiraling_edge/prepare/judge.h"
 #include "verbs.h"
 
 namespace se::cli {

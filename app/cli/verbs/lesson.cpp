@@ -105,26 +105,17 @@ std::string headText(const Lesson& lesson) {
            wrappedLines(teach::plainTextOf(teach::textBlocks(lesson.text)), "");
 }
 
-/// Steps with minutes, text and questions.
-std::string lessonPage(const Lesson& lesson) {
-    std::string page = headText(lesson);
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) page += stepText(lesson, i);
-    return page;
-}
-
-/// The same with the answers. Fails if one of them cannot be found.
-Result<std::string> lessonPageWithAnswers(const Lesson& lesson, teach::LessonRuns& runs) {
+/// Steps with minutes, text and questions; with the answers if there are runs to find them by.
+/// Throws Failure(Input) if one of them cannot be found.
+std::string lessonPage(const Lesson& lesson, LessonRuns* runs) {
     std::string page = headText(lesson);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         page += stepText(lesson, i);
         const std::optional<Question>& question = lesson.steps[i].question;
-        if (!question) continue;
-        const Result<RightAnswer> right = teach::rightAnswer(lesson, i, runs);
-        if (!right) {
-            return Error{fmt::format("{}:{}: {}", lesson.name, question->lines.block,
-                                     right.error().message)};
-        }
-        page += rightAnswerText(right.value());
+        if (!question || runs == nullptr) continue;
+        const std::string place = fmt::format("{}:{}: ", lesson.name, question->lines.block);
+        page +=
+            rightAnswerText(require(teach::rightAnswer(lesson, i, *runs), ExitCode::Input, place));
     }
     return page;
 }
@@ -187,12 +178,8 @@ ExitCode showLesson(const LessonArguments& arguments) {
         throw Failure(ExitCode::Input,
                       teach::faultText(reading.faults.front(), reading.lesson.name));
     }
-    if (!arguments.answers) {
-        printText(lessonPage(reading.lesson));
-        return ExitCode::Good;
-    }
     LessonRuns runs(opened.folder, arguments.limit, unpackGzip);
-    printText(require(lessonPageWithAnswers(reading.lesson, runs), ExitCode::Input));
+    printText(lessonPage(reading.lesson, arguments.answers ? &runs : nullptr));
     return ExitCode::Good;
 }
 

@@ -171,8 +171,10 @@ ExitCode reduceVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
     requireNoStart(run.params.start, "reduce");
     const State whole = reconstruct(run.points, run.params).state;
-    const MeshFailure failure =
-        pickFailure(inspectWithTotals(run.points, whole.mesh()), wanted, arguments.input.input());
+    const auto kindOf = [](const MeshFailure& each) { return each.kind; };
+    const MeshInspection found = inspectWithTotals(run.points, whole.mesh());
+    const MeshFailure& failure =
+        pickFailure(found.failures, kindOf, found.totals, wanted, arguments.input.input());
     const ReduceTest fails =
         failsAlike(arguments.input.spec(), run.params, run.points, failure, whole.mesh());
     const Reduced reduced =

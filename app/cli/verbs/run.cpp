@@ -18,7 +18,6 @@
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
-#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/stepper/stepper.h"
@@ -240,31 +239,29 @@ void reportProgress(const State& state, ProgressLine& line) {
 }
 
 /// The whole run without events, the fastest way.
-Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
-                         State& state) {
-    Reconstruction made = reconstruct(points, params, [&](const State& s) {
-        reportProgress(s, line);
+Reconstruction triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line) {
+    Reconstruction made = reconstruct(points, params, [&](const State& state) {
+        reportProgress(state, line);
         return false;
     });
-    state = std::move(made.state);
     line.clear();
-    return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
+    return made;
 }
 
 /// The run with a limit or a trace; the lines of a pivot are written as soon as it is complete.
-Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
-                   ProgressLine& line) {
-    if (trace.active()) trace.begin(stepper.points());
-    const State& state = stepper.state();
-    if (maxPivots == 0U) return Ending::MaxPivots;
-    Ending ending = Ending::Finished;
-    while (ending == Ending::Finished &&
-           (trace.active() ? trace.step(stepper) : stepper.stepPivot())) {
-        if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
-        reportProgress(state, line);
+Reconstruction triangulate(const PointSet& points, const Params& params,
+                           std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
+                           ProgressLine& line) {
+    Stepper stepper(points, params);
+    if (trace.active()) trace.begin(points);
+    bool limited = maxPivots == 0U;
+    while (!limited && (trace.active() ? trace.step(stepper) : stepper.stepPivot())) {
+        limited = maxPivots && stepper.state().counters.pivots >= *maxPivots;
+        reportProgress(stepper.state(), line);
     }
     line.clear();
-    return ending == Ending::Finished && state.capped() ? Ending::Capped : ending;
+    const StopReason end = stepper.state().capped() ? StopReason::Capped : StopReason::Finished;
+    return {stepper.takeState(), limited ? StopReason::Condition : end};
 }
 
 /// Writes the mesh to the destination of -o, and records the path and the offset.
@@ -289,7 +286,7 @@ void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& 
         outcome.inspection = std::move(judged.inspection);
         outcome.places = std::move(judged.places);
         outcome.verdict = std::move(judged.verdict);
-        outcome.verdict.stopped = outcome.ending == Ending::Capped;
+        outcome.verdict.stopped = outcome.ending == StopReason::Capped;
     } else if (!arguments.quiet) {
         outcome.inspection = inspectLocally(points, mesh);
         outcome.pairs = false;
@@ -346,7 +343,7 @@ ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, const P
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
     if (!arguments.quiet) printNote(summaryText(outcome) + shiftText(outcome));
-    if (outcome.ending == Ending::Capped) {
+    if (outcome.ending == StopReason::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       "{}: stopped at {}, more than a surface can have; the mesh so far is not a "
                       "surface. See docs/robust.md",
@@ -399,14 +396,10 @@ ExitCode runVerb(const Arguments& words) {
                         [&](const Progress& progress) { return prepare(file, options, progress); });
     arguments.input.requirePossible(prepared.points, outcome.params);
     if (arguments.searchesPairs()) {
-        prepared.points.judge = withoutOpeningsToClose(
-            runWithProgress("preparing", named.source, line,
-                            [&](const Progress& progress) {
-                                return judgeFor(file,
-                                                prepareOptionsFrom(named, outcome.params, file),
-                                                prepared.points, progress);
-                            }),
-            outcome.params);
+        prepared.points.judge =
+            runWithProgress("preparing", named.source, line, [&](const Progress& progress) {
+                return judgeOfRun(file, named, outcome.params, prepared.points, progress);
+            });
         outcome.judged = departureText(*prepared.points.judge);
         outcome.facts = prepared.points.judge->facts;
     }
@@ -415,13 +408,12 @@ ExitCode runVerb(const Arguments& words) {
     outcome.notes = file.notes;
     storeDerived(prepared.points, prepared.report, file);
     outcome.seconds.prepare = watch.lap();
-    if (trace.active() || arguments.maxPivots) {
-        Stepper stepper(prepared.points, outcome.params);
-        outcome.ending = triangulate(stepper, arguments.maxPivots, trace, line);
-        outcome.state = stepper.takeState();
-    } else {
-        outcome.ending = triangulateAtOnce(prepared.points, outcome.params, line, outcome.state);
-    }
+    Reconstruction made =
+        trace.active() || arguments.maxPivots
+            ? triangulate(prepared.points, outcome.params, arguments.maxPivots, trace, line)
+            : triangulateAtOnce(prepared.points, outcome.params, line);
+    outcome.state = std::move(made.state);
+    outcome.ending = made.reason;
     outcome.seconds.triangulate = watch.lap();
     // These take as much memory as the mesh, and nothing below reads them.
     if (arguments.lists) file.neighbors = std::move(prepared.points.neighbors);

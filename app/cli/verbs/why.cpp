@@ -11,7 +11,6 @@
 #include "input.h"
 #include "output/ledger_text.h"
 #include "progress.h"
-#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/proof.h"
@@ -132,9 +131,7 @@ struct WhyArguments {
                                                      const PreparedInput& run,
                                                      const Progress& progress) const {
         if (run.points.judge) return run.points.judge;
-        const auto judge = judgeFor(file, input.prepareOptions(file), run.points, progress);
-        if (!judge) return judge.error();
-        return withoutOpeningsToClose(judge.value(), run.params);
+        return judgeOfRun(file, input.spec(), run.params, run.points, progress);
     }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
     /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().
@@ -161,7 +158,9 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
 Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                   const RunFailureSearch& found, const PreparedInput& run, const ProofScope& scope,
                   ProgressLine& line) {
-    const RunFailure failure = pickFailure(found, choice, arguments.input.input());
+    const auto kindOf = [](const RunFailure& each) { return each.failure.kind; };
+    const RunFailure& failure =
+        pickFailure(found.failures, kindOf, found.verdict.totals, choice, arguments.input.input());
     Answer answer = answerOf(failure);
     const Answer proof =
         answerOf(searched(arguments, "proving", line, [&](const Progress& progress) {
@@ -235,7 +234,7 @@ ExitCode whyVerb(const Arguments& words) {
         ring = require(ringAddressFromString(arguments.ring), ExitCode::Usage, "--ring ");
     ProgressLine line(!arguments.quiet);
     const PointFile file = arguments.input.read(line);
-    PreparedInput run = arguments.input.prepare(file, line);
+    PreparedInput run = arguments.input.prepare(file, arguments.input.spec(), line);
     const bool asksFailures = arguments.failures || choice;
     if (asksFailures) {
         run.points.judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
