@@ -69,6 +69,10 @@ PointFile readInput(const std::string& input, const ByteLimit& limit) {
                    ExitCode::Input);
 }
 
+std::size_t countOfType(const PointFile& file, bool (*isSo)(std::uint8_t type)) {
+    return static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isSo));
+}
+
 InputPiece readPiece(const RunSpec& spec) {
     InputPiece read{readInput(spec.source, ByteLimit{spec.maxBytes}), {spec.piece, 0, 0}};
     read.points.inFile = read.file.position.size();
@@ -184,6 +188,15 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
                       field.high.z);
     }
     field = inBox(std::move(field), box.low, box.high);
+}
+
+std::string surfaceOf(const Figure& figure, const std::string& volumes) {
+    if (figure.volume.empty()) {
+        const std::string_view name = figure.sample.substr(figure.sample.find(':') + 1);
+        return std::string(name.substr(0, name.find(',')));
+    }
+    if (volumes.empty()) return {};
+    return (std::filesystem::path(volumes) / figure.volume).string();
 }
 
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,

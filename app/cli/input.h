@@ -13,6 +13,7 @@
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se::cli {
@@ -22,6 +23,9 @@ RunSpec specOf(const SpecChange& given, RunSpec spec = {});
 
 /// Reads a file, `-` or scene:ID. Throws Failure(Input) if it is missing or malformed.
 PointFile readInput(const std::string& input, const ByteLimit& limit);
+
+/// Number of points whose types are so: isOnWall, isCorner, ...
+std::size_t countOfType(const PointFile& file, bool (*isSo)(std::uint8_t type));
 
 /// Number of points that the options for a piece kept.
 struct KeptPoints {
@@ -105,6 +109,10 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
 
 /// Makes `box` the domain. Throws Failure if a volume, whose name begins messages, is smaller.
 void cutBy(const WallBox& box, const std::string& input, Field& field);
+
+/// The shape or the volume, in the folder `volumes`, that a figure of the paper's results is of;
+/// empty without that folder if it is a volume.
+std::string surfaceOf(const Figure& figure, const std::string& volumes);
 
 /// Samples with the progress line. Throws Failure if sampling fails.
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,

@@ -10,6 +10,15 @@
 #include "output.h"
 #include "teach/json_text.h"
 
+/// A point or a vector as a list of three numbers.
+template <>
+struct nlohmann::adl_serializer<se::Vec3> {
+    template <typename Json>
+    static void to_json(Json& json, const se::Vec3& v) {
+        json = {v.x, v.y, v.z};
+    }
+};
+
 namespace se::cli {
 
 using Json = nlohmann::ordered_json;

@@ -39,7 +39,7 @@ void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> 
             if (fault < rowOf.size() && rowOf[fault]) rows.push_back(*rowOf[fault]);
         }
         json["places"].push_back({{"what", describe(place, failures)},
-                                  {"at", {place.center.x, place.center.y, place.center.z}},
+                                  {"at", place.center},
                                   {"radius", place.radius},
                                   {"faults", place.faults.size()},
                                   {"rows", std::move(rows)}});
@@ -50,7 +50,7 @@ Json failureRow(const MeshFailure& failure) {
     Json row = {{"class", failure.kind->name},
                 {"points", failure.points},
                 {"triangles", failure.triangles},
-                {"at", {failure.place.x, failure.place.y, failure.place.z}}};
+                {"at", failure.place}};
     if (isLoop(failure)) {
         row["length"] = failure.length;
         row["area"] = failure.area;

@@ -136,7 +136,7 @@ Answer answerOf(const NearestDecisions& decisions) {
         const bool taken = outcomeOf(decision.event) == Outcome::Taken;
         Json row = lineJson({decision.event, decision.pivot,
                              taken ? LineRole::Taken : LineRole::Refused, decision.reading});
-        row["nudge"] = {{"point", decision.move.point}, {"by", {by.x, by.y, by.z}}};
+        row["nudge"] = {{"point", decision.move.point}, {"by", by}};
         answer.json["closest"].push_back(row);
     }
     return answer;

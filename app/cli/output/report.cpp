@@ -128,7 +128,7 @@ Json faultRow(const MeshFailure& failure) {
     Json row = {{"class", failure.kind->name}, {"points", failure.points}};
     row["triangle"] = triangles.empty() ? Json() : Json(triangles.front());
     row["other"] = triangles.size() == 2 ? Json(triangles.back()) : Json();
-    row["at"] = {failure.place.x, failure.place.y, failure.place.z};
+    row["at"] = failure.place;
     return row;
 }
 
@@ -308,8 +308,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["columns"] = orNull(outcome.columns.names);
     json["notes"] = outcome.notes;
     json["piece"] = keptJson(outcome.points);
-    json["shift"] = Json();
-    if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
+    json["shift"] = outcome.shift ? Json(*outcome.shift) : Json();
     json["stop_reason"] = nameOf(outcome.ending);
     json["points"] = outcome.mesh.points;
     json["triangles"] = outcome.mesh.triangles;

@@ -125,9 +125,7 @@ Json inputFactsJson(const InputFacts& facts) {
         {"in_run", facts.count(Aside::No)},
         {"set_aside", setAsideJson(facts.aside)},
         {"twins", facts.twins},
-        {"box", facts.measured == 0 ? Json()
-                                    : Json({{"low", {facts.low.x, facts.low.y, facts.low.z}},
-                                            {"high", {facts.high.x, facts.high.y, facts.high.z}}})},
+        {"box", facts.measured == 0 ? Json() : Json({{"low", facts.low}, {"high", facts.high}})},
         {"nearest_distance",
          {{"least", facts.nearestLeast},
           {"mean", facts.nearestMean},
@@ -169,7 +167,7 @@ Json keptJson(const KeptPoints& points) {
         json["crop"] = {low.x, low.y, low.z, high.x, high.y, high.z};
     }
     if (piece.thin > 0.0) json["thin"] = piece.thin;
-    if (piece.isScaled()) json["scale"] = {piece.scale.x, piece.scale.y, piece.scale.z};
+    if (piece.isScaled()) json["scale"] = piece.scale;
     json["kept"] = points.kept;
     json["points_in_file"] = points.inFile;
     return json;

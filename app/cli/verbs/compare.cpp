@@ -118,7 +118,7 @@ void addRegions(const Comparison& c, std::size_t limit, Answer& answer) {
                                           {"in_a", trianglesJson(c.a.mesh, r.inA)},
                                           {"in_b", trianglesJson(c.b.mesh, r.inB)},
                                           {"points", r.points},
-                                          {"at", {r.place.x, r.place.y, r.place.z}},
+                                          {"at", r.place},
                                           {"radius", r.radius}});
         if (i == limit) answer.text += "      ... all of them by --json\n";
         if (i >= limit) continue;

@@ -9,7 +9,6 @@
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/run/reconstruct.h"
-#include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/why/figure_check.h"
 #include "teach/trace/conformance.h"
 #include "teach/trace/setrace.h"
@@ -117,16 +116,6 @@ FigureText checkedScene(const Figure& figure) {
                                     check.faultsWithout, check.faultsWith);
     checked.text += "\n" + checkedText(check.without, "without it: ");
     return checked;
-}
-
-/// The shape or the volume that a figure of the results is of; empty if the volume is not given.
-std::string surfaceOf(const Figure& figure, const std::string& volumes) {
-    if (figure.volume.empty()) {
-        const std::string_view name = figure.sample.substr(figure.sample.find(':') + 1);
-        return std::string(name.substr(0, name.find(',')));
-    }
-    if (volumes.empty()) return {};
-    return (std::filesystem::path(volumes) / figure.volume).string();
 }
 
 /// A figure of the results: as many points as in the paper, and within 2 % as many triangles.

@@ -16,14 +16,9 @@ namespace se::cli {
 namespace {
 
 /// Everything that is reported about a file.
-struct Contents {
-    PointFile file;
-    KeptPoints points;
-    InputFacts facts;
-    std::size_t wallPoints = 0;
-    std::size_t cornerPoints = 0;
-    std::size_t rimPoints = 0;
-    MeshReport mesh;
+struct Contents : InputPiece {
+    InputFacts facts = {};
+    MeshReport mesh = {};
 };
 
 /// The points as they are in the file, for a mesh of points without normals.
@@ -35,21 +30,12 @@ PointSet withoutNormals(const PointFile& file) {
 }
 
 Contents gather(const RunSpec& spec) {
-    Contents contents;
-    InputPiece read = readPiece(spec);
-    contents.file = std::move(read.file);
-    contents.points = read.points;
-    for (const std::uint8_t type : contents.file.type) {
-        contents.wallPoints += isOnWall(type) ? 1U : 0U;
-        contents.rimPoints += isRimPoint(type) ? 1U : 0U;
-        contents.cornerPoints += isCorner(type) ? 1U : 0U;
-    }
-    const auto judge = judgeFor(contents.file);
-    if (!judge) throw Failure(ExitCode::Input, spec.source + ": " + judge.error().message);
-    contents.facts = judge.value()->facts;
-    contents.mesh = reportMesh(
-        contents.facts.hasNormals ? judge.value()->points : withoutNormals(contents.file),
-        contents.file.faces);
+    Contents contents{readPiece(spec)};
+    const auto judge = require(judgeFor(contents.file), ExitCode::Input, spec.source + ": ");
+    contents.facts = judge->facts;
+    contents.mesh =
+        reportMesh(contents.facts.hasNormals ? judge->points : withoutNormals(contents.file),
+                   contents.file.faces);
     return contents;
 }
 
@@ -76,10 +62,9 @@ void addPoints(const Contents& contents, Answer& answer) {
                         {"columns", orNull(file.columns.names)},
                         {"columns_reason", orNull(file.columns.reason)},
                         {"notes", file.notes},
-                        {"viewpoint", Json()},
+                        {"viewpoint", file.viewpoint ? Json(*file.viewpoint) : Json()},
                         {"normals", file.hasNormals()}});
     if (const auto& place = file.viewpoint) {
-        answer.json["viewpoint"] = {place->x, place->y, place->z};
         answer.line("viewpoint",
                     fmt::format("{:g} {:g} {:g}: the sensor; open sheets without normals face it",
                                 place->x, place->y, place->z));
@@ -99,18 +84,18 @@ void addPoints(const Contents& contents, Answer& answer) {
 void addNeighborhood(const Contents& contents, Answer& answer) {
     const PointFile& file = contents.file;
     const std::size_t entries = file.neighbors.ids.size();
-    answer.json.update({{"wall_points", contents.wallPoints},
-                        {"corner_points", contents.cornerPoints},
-                        {"rim_points", contents.rimPoints},
+    const std::size_t walls = countOfType(file, isOnWall);
+    const std::size_t corners = countOfType(file, isCorner);
+    const std::size_t rims = countOfType(file, isRimPoint);
+    answer.json.update({{"wall_points", walls},
+                        {"corner_points", corners},
+                        {"rim_points", rims},
                         {"neighbor_lists", file.hasNeighbors()},
                         {"neighbor_entries", entries}});
-    if (file.hasTypes() && (contents.wallPoints > 0 || contents.rimPoints == 0)) {
-        answer.line("walls", fmt::format("{} on a wall, {} of them on two or more",
-                                         contents.wallPoints, contents.cornerPoints));
-    }
-    if (contents.rimPoints > 0)
-        answer.line("rims",
-                    fmt::format("{} away from walls", counted(contents.rimPoints, "point")));
+    if (file.hasTypes() && (walls > 0 || rims == 0))
+        answer.line("walls",
+                    fmt::format("{} on a wall, {} of them on two or more", walls, corners));
+    if (rims > 0) answer.line("rims", fmt::format("{} away from walls", counted(rims, "point")));
     answer.line("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", entries)
                                                  : "none in the file: a run computes them");
 }

@@ -83,21 +83,18 @@ std::string taskText(const PracticeTask& task) {
 Json taskJson(const PracticeTask& task) {
     const PointSet& points = *task.points;
     const auto list = points.neighbors[task.p];
-    Json json{{"seed", task.seed},
-              {"rules", "paper"},
-              {"address", toString(task.address)},
-              {"p", task.p},
-              {"first", task.first},
-              {"last", task.last},
-              {"neighbors", std::vector<Index>(list.begin(), list.end())},
-              {"ring", task.ring},
-              {"stack", task.stack},
-              {"done", task.done},
-              {"points", Json::array()},
-              {"normals", Json::array()}};
-    for (const Vec3& x : points.position) json["points"].push_back({x.x, x.y, x.z});
-    for (const Vec3& n : points.normal) json["normals"].push_back({n.x, n.y, n.z});
-    return json;
+    return {{"seed", task.seed},
+            {"rules", "paper"},
+            {"address", toString(task.address)},
+            {"p", task.p},
+            {"first", task.first},
+            {"last", task.last},
+            {"neighbors", std::vector<Index>(list.begin(), list.end())},
+            {"ring", task.ring},
+            {"stack", task.stack},
+            {"done", task.done},
+            {"points", points.position},
+            {"normals", points.normal}};
 }
 
 Answer solutionAnswer(const PracticeTask& task) {

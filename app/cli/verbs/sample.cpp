@@ -101,8 +101,8 @@ Answer shapesAnswer() {
         answer.json.push_back({{"id", shape.id},
                                {"title", shape.title},
                                {"isovalue", shape.isovalue},
-                               {"low", {shape.low.x, shape.low.y, shape.low.z}},
-                               {"high", {shape.high.x, shape.high.y, shape.high.z}}});
+                               {"low", shape.low},
+                               {"high", shape.high}});
     }
     return answer;
 }
@@ -116,10 +116,8 @@ void addNeighbors(std::size_t k, PointFile& file) {
 
 std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,
                     double seconds) {
-    const auto walls =
-        static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
-    const auto corners =
-        static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isCorner));
+    const std::size_t walls = countOfType(file, isBoundary);
+    const std::size_t corners = countOfType(file, isCorner);
     Answer summary{fmt::format("{}: {}", printable(input), counted(file.position.size(), "point"))};
     if (walls > 0)
         summary.text += fmt::format(", {} of them on walls, {}", walls, counted(corners, "corner"));

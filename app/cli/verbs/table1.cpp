@@ -22,22 +22,20 @@
 namespace se::cli {
 namespace {
 
-/// A row of the paper's Table 1, and where its surface comes from.
+/// A row of the paper's Table 1: the figure with its surface and its counts, and what is not there.
 struct Row {
     std::string_view set;
-    std::size_t points;
-    std::size_t triangles;
-    double seconds;           ///< On an SGI Indigo2 of 1996.
-    std::string_view shape;   ///< The set itself, or the substitute if the volume is missing.
-    std::string_view volume;  ///< File of the volume; empty: the shape is the set.
+    int number;                     ///< Of the figure.
+    double seconds;                 ///< On an SGI Indigo2 of 1996.
+    std::string_view standIn = {};  ///< Shape in place of a missing volume.
+
+    const Figure& figure() const { return *findFigure(number); }
 };
 
 constexpr std::array kRows{
-    Row{"Lobster", 42906, 83893, 2.30, "gyroid", "lobster.nhdr"},
-    Row{"Electron Cloud", 3755, 7046, 0.15, "metaballs", "electron_cloud.nhdr"},
-    Row{"Blast Wave", 1393, 2662, 0.07, "blast-wave", ""},
-    Row{"Hydrogen", 1516, 3020, 0.08, "hydrogen", ""},
-    Row{"Hyperboloid", 215, 366, 0.01, "hyperboloid", ""},
+    Row{"Lobster", 22, 2.30, "gyroid"}, Row{"Electron Cloud", 25, 0.15, "metaballs"},
+    Row{"Blast Wave", 24, 0.07},        Row{"Hydrogen", 21, 0.08},
+    Row{"Hyperboloid", 23, 0.01},
 };
 
 std::string slug(std::string_view set) {
@@ -101,10 +99,10 @@ struct TableArguments {
         NamedFiles inputs;
         NamedFiles outputs;
         for (const Row& row : kRows) {
-            if (!row.volume.empty() && !volumes.empty()) {
-                const auto volume = std::filesystem::path(volumes) / row.volume;
-                inputs.push_back({"--volumes", volume});
-                inputs.push_back({"the data file", dataFileOf(volume)});
+            const std::string surface = surfaceOf(row.figure(), volumes);
+            if (isVolumePath(surface)) {
+                inputs.push_back({"--volumes", surface});
+                inputs.push_back({"the data file", dataFileOf(surface)});
             }
             if (!save.empty()) outputs.push_back({"--save", savedPath(row)});
         }
@@ -150,30 +148,23 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
     return last;
 }
 
-/// With the requested neighbor lists.
-PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
-    const PrepareOptions options = prepareOptionsFrom(arguments.spec, params, file);
-    return require(prepare(file, options), ExitCode::Internal).points;
-}
-
 Made make(const Row& row, const TableArguments& arguments, const Params& params,
           ProgressLine& line) {
     Made made;
-    made.standIn = !row.volume.empty() && arguments.volumes.empty();
-    const bool isShape = row.volume.empty() || made.standIn;
-    made.source = isShape ? std::string(row.shape)
-                          : (std::filesystem::path(arguments.volumes) / row.volume).string();
+    made.source = surfaceOf(row.figure(), arguments.volumes);
+    made.standIn = made.source.empty();
+    if (made.standIn) made.source = row.standIn;
     SamplerOptions options;
-    options.count = row.points;
+    options.count = row.figure().counts.points;
     options.seed = arguments.seed;
     options.curvature = arguments.curvature;
     const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
                                         options, made.source, line);
     if (!arguments.save.empty()) writeMeshOutput(arguments.savedPath(row).string(), file, {});
     made.points = file.position.size();
-    made.wallPoints =
-        static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
-    const PointSet points = preparedFor(file, arguments, params);
+    made.wallPoints = countOfType(file, isBoundary);
+    const PrepareOptions preparing = prepareOptionsFrom(arguments.spec, params, file);
+    const PointSet points = require(prepare(file, preparing), ExitCode::Internal).points;
     const Reconstruction run = timedRun(points, params, made.seconds);
     made.mesh = reportMesh(points, run.state.mesh());
     made.joins = run.state.counters.joins;
@@ -183,11 +174,12 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
 
 /// Adds the results of a row beside those of the paper.
 void addRow(const Row& row, const Made& made, Answer& answer) {
-    const double perPoint = static_cast<double>(row.triangles) / static_cast<double>(row.points);
+    const auto [points, triangles] = row.figure().counts;
+    const double perPoint = static_cast<double>(triangles) / static_cast<double>(points);
     answer.text += fmt::format(
         "{:<16} {:>6}  {:>8} {:>8}  {:>7.3f} {:>7.3f}  {:>6.2f} {:>8.5f} "
         "{:>6.0f}  {:>6} {:>5} {:>6} {:>5} {:>8} {:>5}{}\n",
-        fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.points, row.triangles,
+        fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.points, triangles,
         made.mesh.triangles, perPoint, made.trianglesPerPoint(), row.seconds, made.seconds,
         row.seconds / made.seconds, made.mesh.unusedPoints, made.missing(), made.mesh.boundaryEdges,
         made.mesh.boundaryLoops, made.mesh.nonManifoldEdges, made.joins,
@@ -207,8 +199,8 @@ void addRow(const Row& row, const Made& made, Answer& answer) {
                                    {"euler_characteristic", made.mesh.eulerCharacteristic},
                                    {"joins", made.joins},
                                    {"capped", made.capped},
-                                   {"paper_points", row.points},
-                                   {"paper_triangles", row.triangles},
+                                   {"paper_points", points},
+                                   {"paper_triangles", triangles},
                                    {"paper_seconds", row.seconds}});
 }
 
