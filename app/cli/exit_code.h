@@ -35,6 +35,12 @@ class Failure : public std::runtime_error {
     ExitCode code_;
 };
 
+/// Throws Failure(Usage) with a message as of fmt::format().
+template <typename... Values>
+[[noreturn]] void refuse(fmt::format_string<Values...> form, Values&&... values) {
+    throw Failure(ExitCode::Usage, form, std::forward<Values>(values)...);
+}
+
 /// The value of a result. Throws Failure with its error, which `before` begins.
 template <typename Value>
 Value require(Result<Value> result, ExitCode code, const std::string& before = "") {

@@ -26,15 +26,14 @@ FailureChoice failureChoiceFrom(const std::string& text) {
     const std::size_t colon = text.find(':');
     FailureChoice wanted{findFailureClass(text.substr(0, colon)), 1};
     if (wanted.kind == nullptr) {
-        throw Failure(ExitCode::Usage, "--failure {}: no such class; the classes are {}", text,
-                      listText(failureClasses(), &FailureClass::name, ""));
+        refuse("--failure {}: no such class; the classes are {}", text,
+               listText(failureClasses(), &FailureClass::name, ""));
     }
     if (colon == std::string::npos) return wanted;
     const std::string digits = text.substr(colon + 1);
     const auto number = numberIn<std::size_t>(digits);
     if (!number || *number == 0 || digits.size() > 9)
-        throw Failure(ExitCode::Usage, "--failure {}: expected a number >= 1 after the colon",
-                      text);
+        refuse("--failure {}: expected a number >= 1 after the colon", text);
     wanted.number = *number;
     return wanted;
 }

@@ -47,8 +47,7 @@ Field readVolumeField(const std::string& input, const std::optional<double>& iso
     const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
     if (!iso) {
         const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
-        throw Failure(ExitCode::Usage, "{}: has no isovalue; give --iso V, from {} to {}", input,
-                      *least, *most);
+        refuse("{}: has no isovalue; give --iso V, from {} to {}", input, *least, *most);
     }
     return fieldOf(volume, *iso);
 }
@@ -99,16 +98,14 @@ Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file, const
 
 void requireNoStart(const GivenStart& start, const std::string& what) {
     if (start.empty()) return;
-    throw Failure(ExitCode::Usage,
-                  "{}: the run begins with given triangles, which name points by numbers", what);
+    refuse("{}: the run begins with given triangles, which name points by numbers", what);
 }
 
 void InputArguments::addTo(CLI::App& app) {
     addTo(app, {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
-    app.add_option("--start", startFile_,
-                   "Begin with the triangles and edge rings of this JSON file "
-                   "(docs/file-formats.md)")
-        ->type_name("FILE");
+    addOption(app, "--start", "FILE", startFile_,
+              "Begin with the triangles and edge rings of this JSON file "
+              "(docs/file-formats.md)");
     app.footer(rulesHelp());
 }
 
@@ -164,8 +161,7 @@ PreparedInput InputArguments::prepare(PointFile file, const RunSpec& spec,
 
 Field readSurface(const std::string& input, const std::optional<double>& isovalue,
                   const ByteLimit& limit) {
-    if (isovalue && !std::isfinite(*isovalue))
-        throw Failure(ExitCode::Usage, "--iso: must be a finite number");
+    if (isovalue && !std::isfinite(*isovalue)) refuse("--iso: must be a finite number");
     if (isVolumePath(input)) return readVolumeField(input, isovalue, limit);
     const Shape* shape = findShape(input);
     if (shape == nullptr) {
@@ -183,9 +179,8 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
     const bool within = glm::clamp(box.low, field.low, field.high) == box.low &&
                         glm::clamp(box.high, field.low, field.high) == box.high;
     if (isVolumePath(input) && !within) {
-        throw Failure(ExitCode::Usage, "--box: {} ends at {},{},{} and {},{},{}", input,
-                      field.low.x, field.low.y, field.low.z, field.high.x, field.high.y,
-                      field.high.z);
+        refuse("--box: {} ends at {},{},{} and {},{},{}", input, field.low.x, field.low.y,
+               field.low.z, field.high.x, field.high.y, field.high.z);
     }
     field = inBox(std::move(field), box.low, box.high);
 }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "options/spec_options.h"
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/points/point_set.h"

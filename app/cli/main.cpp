@@ -96,13 +96,10 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
     std::error_code ignored;
     if (std::filesystem::exists(word, ignored) || word.starts_with("scene:"))
         return viewVerb(arguments);
-    if (word.starts_with("-")) {
-        throw Failure(ExitCode::Usage, "{}: no such option; see spiraling-edge --help", word);
-    }
+    if (word.starts_with("-")) refuse("{}: no such option; see spiraling-edge --help", word);
     if (word.find_first_of("./") != std::string::npos)
         throw Failure(ExitCode::Input, word + ": no such file");
-    throw Failure(ExitCode::Usage, "{}: neither a verb nor a file; see spiraling-edge --help",
-                  word);
+    refuse("{}: neither a verb nor a file; see spiraling-edge --help", word);
 }
 
 ExitCode dispatch(const Arguments& arguments) {
@@ -144,7 +141,7 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
         printText(app.help());
         return ExitCode::Good;
     } catch (const CLI::ParseError& problem) {
-        throw Failure(ExitCode::Usage, "{}; see {} --help", problem.what(), app.get_name());
+        refuse("{}; see {} --help", problem.what(), app.get_name());
     }
     return std::nullopt;
 }

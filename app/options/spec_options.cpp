@@ -45,8 +45,8 @@ SpecChange SpecOptions::given() const {
 
 void addByteLimit(CLI::App& app, ByteLimit& limit) {
     const SpecField& field = specFields().front();
-    app.add_option(std::string(field.option), limit.bytes, std::string(field.help))
-        ->type_name(std::string(field.value))
+    addOption(app, std::string(field.option), std::string(field.value), limit.bytes,
+              std::string(field.help))
         ->check(CLI::PositiveNumber);
 }
 

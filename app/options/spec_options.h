@@ -39,6 +39,13 @@ class SpecOptions {
     std::deque<Bound> bound_;
 };
 
+/// Adds an option with a value, which the help calls `value`.
+template <typename Value>
+CLI::Option* addOption(CLI::App& app, const std::string& names, const std::string& value,
+                       Value& bound, const std::string& help) {
+    return app.add_option(names, bound, help)->type_name(value);
+}
+
 /// Adds --most-bytes alone, for verbs that read other things than points.
 void addByteLimit(CLI::App& app, ByteLimit& limit);
 

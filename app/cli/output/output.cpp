@@ -8,9 +8,9 @@
 
 namespace se::cli {
 
-CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
-                             const std::string& help) {
-    return app.add_option(names, path, help)
+CLI::Option* addOutputOption(CLI::App& app, const std::string& names, const std::string& value,
+                             std::string& path, const std::string& help) {
+    return addOption(app, names, value, path, help)
         ->check(CLI::Validator(
             [](const std::string& given) {
                 return given.empty() ? std::string("the file name is empty") : "";
@@ -47,7 +47,7 @@ void writeOutput(const std::string& path, std::string_view bytes) {
 
 void requireNoTerminal(const std::string& output) {
     if (output == "-" && os::isTerminal(os::Stream::Output))
-        throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
+        refuse("-o -: refusing to write a binary file to a terminal");
 }
 
 void writeMeshOutput(const std::string& path, const PointFile& file,

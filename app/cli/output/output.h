@@ -1,19 +1,19 @@
 /// Destinations of results: a file, or `-` for standard output.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "options/spec_options.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::cli {
 
 /// Adds an option that names a file to write, or `-`. An empty name is wrong usage.
-CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
-                             const std::string& help);
+CLI::Option* addOutputOption(CLI::App& app, const std::string& names, const std::string& value,
+                             std::string& path, const std::string& help);
 
 /// Files of a command; those with an empty path, of options that were not given, are ignored.
 using NamedFiles = std::vector<NamedFile>;

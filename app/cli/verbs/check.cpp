@@ -34,13 +34,12 @@ struct CheckArguments {
                            listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
                            "), or - for stdin")
             ->required();
-        app.add_option(
-               "--points", cloud,
-               "The points that the mesh was made of: their normals show what is flipped (derived "
-               "ones if they do not fit the points), their wall types show what is no hole, and "
-               "lost points are listed; with the options of the run, they are prepared as it "
-               "prepared them, so that those it set aside are not listed")
-            ->type_name("CLOUD");
+        addOption(
+            app, "--points", "CLOUD", cloud,
+            "The points that the mesh was made of: their normals show what is flipped (derived "
+            "ones if they do not fit the points), their wall types show what is no hole, and "
+            "lost points are listed; with the options of the run, they are prepared as it "
+            "prepared them, so that those it set aside are not listed");
         for (const char* key : {"crop", "thin", "scale", "rules", "switches"})
             run.addTo(app, *findSpecField(key));
         run.addTo(app, {SpecGroup::Lists, SpecGroup::Derived});
@@ -50,8 +49,8 @@ struct CheckArguments {
             spec.maxBytes = limit.bytes;
         });
         addByteLimit(app, limit);
-        app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
-            ->type_name("CLASS")
+        addOption(app, "--allow", "CLASS", allowed,
+                  "A class that is no fault here; may be repeated")
             ->allow_extra_args(false);
         app.add_flag("--json", json,
                      fmt::format("As JSON, with all indices; of intersecting triangles, and of "
@@ -71,16 +70,12 @@ struct CheckArguments {
     bool prepares() const { return !run.given().empty(); }
     void validate() const {
         if (mesh == kStandardInput && cloud == kStandardInput)
-            throw Failure(ExitCode::Usage,
-                          "--points -: standard input is MESH already; name a file");
+            refuse("--points -: standard input is MESH already; name a file");
         if (cloud.empty() && prepares())
-            throw Failure(ExitCode::Usage,
-                          "options of a run prepare points: name them by --points");
+            refuse("options of a run prepare points: name them by --points");
         for (const std::string& name : allowed) {
-            if (findFailureClass(name) == nullptr) {
-                throw Failure(ExitCode::Usage,
-                              "--allow {}: no such class; see spiraling-edge check --help", name);
-            }
+            if (findFailureClass(name) == nullptr)
+                refuse("--allow {}: no such class; see spiraling-edge check --help", name);
         }
     }
     bool allows(std::string_view name) const {

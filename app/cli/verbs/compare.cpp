@@ -210,9 +210,8 @@ RunSpec specOfB(const RunSpec& a, const Arguments& with) {
     const SpecChange change = require(changeFromWords(with), ExitCode::Usage, "--with ");
     for (const char* key : {"crop", "thin", "scale"}) {
         if (textOf(change, key).empty()) continue;
-        throw Failure(ExitCode::Usage,
-                      "{}: two runs are compared on the same points; give it before --with",
-                      findSpecField(key)->option);
+        refuse("{}: two runs are compared on the same points; give it before --with",
+               findSpecField(key)->option);
     }
     return otherRun(a, change);
 }
@@ -238,14 +237,11 @@ struct CompareArguments {
             "--with", [] {},
             "The other run: the options after this word are those in which B "
             "differs from A");
-        app.add_option("--mesh", mesh,
-                       "Instead of another run: a mesh (" +
-                           listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
-                           ") made from the same points; its vertices are matched by position")
-            ->type_name("FILE");
-        app.add_option("--most", limit, "List N regions of difference")
-            ->type_name("N")
-            ->capture_default_str();
+        addOption(app, "--mesh", "FILE", mesh,
+                  "Instead of another run: a mesh (" +
+                      listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
+                      ") made from the same points; its vertices are matched by position");
+        addOption(app, "--most", "N", limit, "List N regions of difference")->capture_default_str();
         app.add_flag("--json", json, "As JSON, with all triangles that only one of the two has");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the meshes differ");
         app.footer(app.get_footer() +
@@ -313,14 +309,13 @@ ExitCode compareVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, split.a)) return *code;
     if (split.hasWith == !arguments.mesh.empty())
-        throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
+        refuse("give the other run after --with, or a mesh by --mesh");
     if (split.hasWith && split.with.empty())
-        throw Failure(
-            ExitCode::Usage,
+        refuse(
             "--with: nothing follows it; give the options in which B differs from A, such "
             "as --rules robust");
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
-        throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
+        refuse("--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
     const RunSpec other = specOfB(arguments.input.spec(), split.with);
     ProgressLine line(!arguments.quiet);

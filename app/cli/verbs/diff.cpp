@@ -30,8 +30,7 @@ struct DiffArguments {
         std::string names;
         for (const teach::TraceStageRow& row : teach::traceStages())
             names += (names.empty() ? "" : ", ") + std::string(row.name);
-        app.add_option("--upto", stage, "Compare no stage after this one: " + names)
-            ->type_name("STAGE");
+        addOption(app, "--upto", "STAGE", stage, "Compare no stage after this one: " + names);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the runs differ");
     }
@@ -40,8 +39,7 @@ struct DiffArguments {
     std::optional<TraceStage> upto() const {
         const auto found = teach::traceStageFromName(stage);
         if (stage.empty() || found) return found;
-        throw Failure(ExitCode::Usage, "--upto {}: no such stage; see spiraling-edge diff --help",
-                      stage);
+        refuse("--upto {}: no such stage; see spiraling-edge diff --help", stage);
     }
 };
 
@@ -115,7 +113,7 @@ ExitCode diffVerb(const Arguments& words) {
     const std::optional<TraceStage> upto = arguments.upto();
     const std::string& input = arguments.input.input();
     if (arguments.trace == kStandardInput && input == kStandardInput)
-        throw Failure(ExitCode::Usage, "-: standard input is TRACE already; name a file");
+        refuse("-: standard input is TRACE already; name a file");
     const Trace trace = readTraceArgument(arguments.trace, upto);
     ProgressLine line(!arguments.quiet);
     PreparedInput prepared = arguments.input.prepare(line);

@@ -29,14 +29,11 @@ struct DoctorArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app, {SpecGroup::Reading});
-        auto* fix =
-            addOutputOption(
-                app, "--fix", fixed,
-                "Fix what needs no guessing and write it to this file; - : to standard output")
-                ->type_name("OUT.ply");
-        app.add_option("--drop", drop,
-                       "With --fix: also drop what this check proposes; may be repeated")
-            ->type_name("CHECK")
+        auto* fix = addOutputOption(
+            app, "--fix", "OUT.ply", fixed,
+            "Fix what needs no guessing and write it to this file; - : to standard output");
+        addOption(app, "--drop", "CHECK", drop,
+                  "With --fix: also drop what this check proposes; may be repeated")
             ->allow_extra_args(false)
             ->needs(fix);
         force.addTo(app, ", or where fewer than half of the distinct points would be left");
@@ -57,15 +54,13 @@ struct DoctorArguments {
 
     void validate() const {
         if (!fixed.empty() && fixed != "-" && !fixed.ends_with(".ply"))
-            throw Failure(ExitCode::Usage, "--fix {}: only .ply is written", fixed);
+            refuse("--fix {}: only .ply is written", fixed);
         if (fixed == "-" && json)
-            throw Failure(ExitCode::Usage,
-                          "--fix -: standard output takes the points or --json, not both");
+            refuse("--fix -: standard output takes the points or --json, not both");
         force.require({{"", input.input()}}, {{"--fix", fixed}});
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
-                throw Failure(ExitCode::Usage,
-                              "--drop {}: no such check; see spiraling-edge doctor --help", name);
+                refuse("--drop {}: no such check; see spiraling-edge doctor --help", name);
         }
     }
 };

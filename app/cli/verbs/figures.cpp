@@ -30,15 +30,13 @@ struct FigureArguments {
         app.add_flag("--check", check,
                      "Run each figure, with and without its rule; exit with 1 if one does not "
                      "show what it should");
-        app.add_option(
-               "--volumes", volumes,
-               "With --check: folder with the volumes of Figures 22 and 25 (docs/performance.md)")
-            ->type_name("DIR");
+        addOption(
+            app, "--volumes", "DIR", volumes,
+            "With --check: folder with the volumes of Figures 22 and 25 (docs/performance.md)");
         addByteLimit(app, limit);
-        app.add_option("--conformance", conformance,
-                       "Write inputs that show all of the paper's rules, the figures among them, "
-                       "to this folder: points with lists, starts and traces")
-            ->type_name("DIR");
+        addOption(app, "--conformance", "DIR", conformance,
+                  "Write inputs that show all of the paper's rules, the figures among them, "
+                  "to this folder: points with lists, starts and traces");
     }
     bool isWanted(const Figure& figure) const {
         return numbers.empty() ||
@@ -144,10 +142,8 @@ FigureText checkedResult(const Figure& figure, const FigureArguments& arguments,
 ExitCode writeConformance(const std::filesystem::path& folder) {
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
-    if (!std::filesystem::is_directory(folder)) {
-        throw Failure(ExitCode::Usage, "--conformance {}: no folder, and it cannot be made",
-                      folder.string());
-    }
+    if (!std::filesystem::is_directory(folder))
+        refuse("--conformance {}: no folder, and it cannot be made", folder.string());
     for (const teach::ConformanceInput& input : teach::conformanceInputs()) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
         const std::string path = (folder / input.name).string();
@@ -172,10 +168,10 @@ ExitCode figuresVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     if (!arguments.volumes.empty() && !std::filesystem::is_directory(arguments.volumes))
-        throw Failure(ExitCode::Usage, "--volumes " + arguments.volumes + ": no such folder");
+        refuse("--volumes {}: no such folder", arguments.volumes);
     if (!arguments.conformance.empty()) {
         if (arguments.check || !arguments.numbers.empty())
-            throw Failure(ExitCode::Usage, "--conformance: takes neither numbers nor --check");
+            refuse("--conformance: takes neither numbers nor --check");
         return writeConformance(arguments.conformance);
     }
     ProgressLine line(arguments.check);

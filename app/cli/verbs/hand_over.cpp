@@ -97,18 +97,14 @@ ExitCode renderVerb(const Arguments& words) {
     std::string picture;
     std::string place;
     app.add_option("IN", input, "File with points, - or scene:ID")->required();
-    addOutputOption(app, "-o,--output", picture, "Picture to write")
-        ->type_name("OUT.png")
-        ->required();
-    app.add_option(
-           "--goto", place,
-           "Position in the run: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
-           "otherwise 100%)")
-        ->type_name("WHERE");
+    addOutputOption(app, "-o,--output", "OUT.png", picture, "Picture to write")->required();
+    addOption(app, "--goto", "WHERE", place,
+              "Position in the run: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
+              "otherwise 100%)");
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;
     if (!picture.ends_with(".png") && !picture.ends_with(".PNG"))
-        throw Failure(ExitCode::Usage, "-o {}: pictures are written as .png only", picture);
+        refuse("-o {}: pictures are written as .png only", picture);
     if (place.empty() && !isSession(input)) place = "100%";
     Arguments arguments{input};
     if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});
@@ -124,22 +120,18 @@ ExitCode exportVerb(const Arguments& words) {
         "spiraling-edge export");
     std::string input;
     std::string output;
-    std::array<std::string, kExportOptions.size()> values;
     app.add_option("IN", input,
                    "Points, a session, scene:ID, a lesson (.lesson.md), or the id of a lesson")
         ->required();
     addOutputOption(
-        app, "-o,--output", output,
+        app, "-o,--output", "OUT", output,
         "File to write, by its extension; several pictures are numbered, or in a folder")
-        ->type_name("OUT")
         ->required();
-    for (std::size_t i = 0; i < kExportOptions.size(); ++i) {
-        const PassedOption& each = kExportOptions[i];
-        if (*each.type == '\0') {
+    for (const PassedOption& each : kExportOptions) {
+        if (*each.type == '\0')
             app.add_flag(each.name, each.help);
-        } else {
-            app.add_option(each.name, values[i], each.help)->type_name(each.type);
-        }
+        else
+            app.add_option(each.name, each.help)->type_name(each.type);
     }
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;

@@ -151,11 +151,11 @@ OpenedLesson openLesson(const std::string& name) {
 /// The one name of an action. Throws Failure(Usage) otherwise.
 const std::string& theName(const LessonArguments& arguments, const std::string& what) {
     if (arguments.names.size() == 1) return arguments.names.front();
-    throw Failure(ExitCode::Usage, "lesson {}: expected {}", arguments.action, what);
+    refuse("lesson {}: expected {}", arguments.action, what);
 }
 
 ExitCode listLessons(const LessonArguments& arguments) {
-    if (!arguments.names.empty()) throw Failure(ExitCode::Usage, "lesson list: takes no names");
+    if (!arguments.names.empty()) refuse("lesson list: takes no names");
     Answer answer{"", Json::array()};
     for (const teach::EmbeddedLesson& each : teach::embeddedLessons()) {
         const Lesson lesson = teach::readLesson(each.text, std::string(each.id)).lesson;
@@ -193,8 +193,7 @@ Json faultJson(const LessonFault& fault, const std::string& name) {
 }
 
 ExitCode checkLessons(const LessonArguments& arguments) {
-    if (arguments.names.empty())
-        throw Failure(ExitCode::Usage, "lesson check: expected ids or files of lessons");
+    if (arguments.names.empty()) refuse("lesson check: expected ids or files of lessons");
     Answer answer{"", Json::array()};
     ExitCode code = ExitCode::Good;
     for (const std::string& name : arguments.names) {
@@ -224,15 +223,13 @@ std::string inputForLesson(const std::string& input, const std::string& output) 
     const fs::path folder = fs::absolute(output).parent_path();
     const fs::path path = fs::absolute(input).lexically_relative(folder);
     if (!path.empty() && *path.begin() != "..") return path.string();
-    throw Failure(ExitCode::Usage, "{}: not in the folder of {}; a lesson lies beside its inputs",
-                  input, output);
+    refuse("{}: not in the folder of {}; a lesson lies beside its inputs", input, output);
 }
 
 ExitCode newLesson(const LessonArguments& arguments) {
     const std::string& input = theName(arguments, "an input: a file with points, or scene:ID");
     if (input == kStandardInput)
-        throw Failure(ExitCode::Usage,
-                      "lesson new: standard input cannot be read again; name a file");
+        refuse("lesson new: standard input cannot be read again; name a file");
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
     arguments.force.require({{"", input}}, {{"-o", output}});
     const std::string written = inputForLesson(input, output);
@@ -243,8 +240,7 @@ ExitCode newLesson(const LessonArguments& arguments) {
 }
 
 ExitCode sumUpResults(const LessonArguments& arguments) {
-    if (arguments.names.empty())
-        throw Failure(ExitCode::Usage, "lesson results: expected files *.result.json");
+    if (arguments.names.empty()) refuse("lesson results: expected files *.result.json");
     NamedFiles inputs;
     for (const std::string& name : arguments.names) inputs.push_back({"", name});
     arguments.force.require(std::move(inputs), {{"-o", arguments.output}});
@@ -278,7 +274,7 @@ void addLessonOptions(CLI::App& app, LessonArguments& arguments) {
     app.add_flag("--answers", arguments.answers, "With show: the answers too, found by running it");
     app.add_flag("--json", arguments.json, "With list and check: as JSON");
     addByteLimit(app, arguments.limit);
-    addOutputOption(app, "-o,--output", arguments.output,
+    addOutputOption(app, "-o,--output", "TEXT", arguments.output,
                     "With new: write the lesson to this file; with results: the table as CSV");
     arguments.force.addTo(app);
 }
@@ -296,10 +292,8 @@ ExitCode lessonVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     const LessonAction* action = teach::findNamed(kLessonActions, arguments.action);
     if (action == nullptr) {
-        throw Failure(
-            ExitCode::Usage,
-            "{}: expected list, show, check, new or results; see spiraling-edge lesson --help",
-            arguments.action);
+        refuse("{}: expected list, show, check, new or results; see spiraling-edge lesson --help",
+               arguments.action);
     }
     return action->run(arguments);
 }

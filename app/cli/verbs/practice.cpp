@@ -25,12 +25,11 @@ struct PracticeArguments {
     ForceOption force;
 
     void addTo(CLI::App& app) {
-        app.add_option("--seed", seed, "Number of the task")->type_name("N")->capture_default_str();
-        auto* answered = app.add_option("--answer", answer,
-                                        "Grade the moves of this file, or -: exit with 1 if one "
-                                        "is wrong")
-                             ->type_name("FILE");
-        addOutputOption(app, "--result", result,
+        addOption(app, "--seed", "N", seed, "Number of the task")->capture_default_str();
+        auto* answered = addOption(app, "--answer", "FILE", answer,
+                                   "Grade the moves of this file, or -: exit with 1 if one "
+                                   "is wrong");
+        addOutputOption(app, "--result", "TEXT", result,
                         "With --answer: write the result to this file, for lesson results")
             ->needs(answered);
         force.addTo(app);

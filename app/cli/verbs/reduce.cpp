@@ -35,22 +35,18 @@ struct ReduceArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app);
-        app.add_option("--failure", failure,
-                       "Class of the failure, see spiraling-edge check --help; CLASS:N for the Nth "
-                       "of its class")
-            ->type_name("CLASS")
+        addOption(app, "--failure", "CLASS", failure,
+                  "Class of the failure, see spiraling-edge check --help; CLASS:N for the Nth "
+                  "of its class")
             ->required();
-        addOutputOption(app, "-o,--output", output,
+        addOutputOption(app, "-o,--output", "SMALL.ply", output,
                         "Write the points here, together with a session (.sesession) that opens "
                         "them, and a test (.sh) that fails while they do")
-            ->type_name("SMALL.ply")
             ->required();
-        app.add_option(
-               "--effort", effort,
-               "Stop after about N million tests of two points or two triangles, over all "
-               "runs, with the best result so far; the default takes a minute at most where "
-               "runs get tangled")
-            ->type_name("N")
+        addOption(app, "--effort", "N", effort,
+                  "Stop after about N million tests of two points or two triangles, over all "
+                  "runs, with the best result so far; the default takes a minute at most where "
+                  "runs get tangled")
             ->capture_default_str()
             ->check(CLI::Range(std::uint64_t{1}, kMaxEffort));
         force.addTo(app);
@@ -155,12 +151,11 @@ ExitCode reduceVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     const FailureChoice wanted = failureChoiceFrom(arguments.failure);
     if (wanted.kind->find == nullptr) {
-        throw Failure(ExitCode::Usage,
-                      "--failure {}: only failures of the mesh can be reduced; try holes",
-                      arguments.failure);
+        refuse("--failure {}: only failures of the mesh can be reduced; try holes",
+               arguments.failure);
     }
     if (!arguments.output.ends_with(".ply"))
-        throw Failure(ExitCode::Usage, "-o {}: only .ply is written", arguments.output);
+        refuse("-o {}: only .ply is written", arguments.output);
     arguments.force.require(arguments.input.files(),
                             {{"-o", arguments.output},
                              {"-o (session)", arguments.beside(".sesession")},
@@ -168,7 +163,7 @@ ExitCode reduceVerb(const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
     if (!run.params.whatIf.empty())
-        throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
+        refuse("--what-if names points by numbers, which reduce changes");
     requireNoStart(run.params.start, "reduce");
     const State whole = reconstruct(run.points, run.params).state;
     const auto kindOf = [](const MeshFailure& each) { return each.kind; };

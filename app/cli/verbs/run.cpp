@@ -130,11 +130,10 @@ struct RunArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app);
-        auto* out = addOutputOption(app, "-o,--output", output,
+        auto* out = addOutputOption(app, "-o,--output", "OUT", output,
                                     "Write the mesh to this file, as " +
                                         listText(meshFormats(), &MeshFormat::name, "or") +
                                         " by its extension; - : PLY to standard output");
-        out->type_name("OUT");
         app.add_flag(
             "--normals", writing.normals,
             "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; " +
@@ -159,17 +158,15 @@ struct RunArguments {
                      "that it drops is lost. Given normals that fit the points and agree stay as "
                      "they are; at most 20 runs")
             ->excludes(app.get_option("--what-if"));
-        app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
-            ->type_name("N")
+        addOption(app, "--max-pivots", "N", maxPivots,
+                  "Stop after N pivots and write what there is")
             ->check(CLI::Range(0LL, kMaxPivots))
             ->excludes(app.get_option("--best"));
-        addOutputOption(app, "--report", report,
-                        "Write counts and times as JSON to this file, or -")
-            ->type_name("FILE");
-        addOutputOption(app, "--trace", trace,
+        addOutputOption(app, "--report", "FILE", report,
+                        "Write counts and times as JSON to this file, or -");
+        addOutputOption(app, "--trace", "FILE", trace,
                         "Write one line per decision to this file, or -; to a file .setrace one "
-                        "per pivot, for diff")
-            ->type_name("FILE");
+                        "per pivot, for diff");
         app.add_flag("--trace-stages", stages,
                      "With --trace FILE.setrace: also candidates after each stage, and edge rings");
         app.add_flag(
@@ -185,41 +182,35 @@ struct RunArguments {
     void validate() const {
         requireNoTerminal(output);
         if (output != "-" && meshFormatOf(output) == nullptr)
-            throw Failure(ExitCode::Usage, "-o {}: only {} can be written", output,
-                          listText(meshFormats(), &MeshFormat::extension, "and"));
+            refuse("-o {}: only {} can be written", output,
+                   listText(meshFormats(), &MeshFormat::extension, "and"));
         if (writing.normals) requireNormals();
         if (faultFields) requireColumns("--fault-fields", "numbers of points");
         if (lists) requireColumns("--with-lists", "neighbor lists");
         if (lists && usedPoints)
-            throw Failure(ExitCode::Usage,
-                          "--with-lists: the lists name all points; leave out --used-points");
-        if (stages && !isPivotTrace(trace)) {
-            throw Failure(ExitCode::Usage,
-                          "--trace-stages: {} has a line per decision already; name a file "
-                          ".setrace with --trace",
-                          trace);
-        }
+            refuse("--with-lists: the lists name all points; leave out --used-points");
+        if (stages && !isPivotTrace(trace))
+            refuse(
+                "--trace-stages: {} has a line per decision already; name a file .setrace with "
+                "--trace",
+                trace);
         force.require(input.files(), {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
     /// Reports an option whose numbers of each point cannot be written.
     void requireColumns(std::string_view option, std::string_view what) const {
         if (output == "-" || keepsColumns(*meshFormatOf(output))) return;
-        throw Failure(ExitCode::Usage, "{} -o {}: this format cannot hold {}; choose {}", option,
-                      output, what,
-                      listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
+        refuse("{} -o {}: this format cannot hold {}; choose {}", option, output, what,
+               listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
     }
 
     /// Reports `--normals` where no normals can be written.
     void requireNormals() const {
-        if (output.empty())
-            throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
+        if (output.empty()) refuse("--normals: name a file with -o FILE.off");
         if (output != "-" && cannotHoldNormals(*meshFormatOf(output)))
-            throw Failure(ExitCode::Usage,
-                          "--normals -o {}: this format cannot hold normals of points; {} can",
-                          output,
-                          listText(meshFormats(), &MeshFormat::extension, "and",
-                                   &MeshFormat::bytesWithNormals));
+            refuse("--normals -o {}: this format cannot hold normals of points; {} can", output,
+                   listText(meshFormats(), &MeshFormat::extension, "and",
+                            &MeshFormat::bytesWithNormals));
     }
 };
 

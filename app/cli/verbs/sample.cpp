@@ -34,34 +34,28 @@ struct SampleArguments {
         app.add_option(
             "SHAPE", input,
             "Name of a shape (see --list), or a volume: " + wordList(volumeExtensions(), "or"));
-        addOutputOption(app, "-o,--output", output,
+        addOutputOption(app, "-o,--output", "OUT", output,
                         "Write the points to this file, as " +
                             listText(meshFormats(), &MeshFormat::name, "or", keepsPoints) +
-                            " by its extension; - : PLY to standard output")
-            ->type_name("OUT");
-        auto* count =
-            app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
-        count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles));
-        app.add_option("--spacing", sampler.spacing, "As many points as fit at distance S")
-            ->type_name("S")
+                            " by its extension; - : PLY to standard output");
+        auto* count = addOption(app, "-n,--points", "N", sampler.count,
+                                "Exactly N points, 10 million at most");
+        count->check(CLI::Range(std::size_t{1}, kMaxParticles));
+        addOption(app, "--spacing", "S", sampler.spacing, "As many points as fit at distance S")
             ->excludes(count);
-        app.add_option("--iso", isovalue,
-                       "Isovalue (default: that of the shape, or the key `isovalue` of the volume)")
-            ->type_name("V");
-        app.add_option("--seed", sampler.seed, "Seed of the random start positions")
-            ->type_name("S")
+        addOption(app, "--iso", "V", isovalue,
+                  "Isovalue (default: that of the shape, or the key `isovalue` of the volume)");
+        addOption(app, "--seed", "S", sampler.seed, "Seed of the random start positions")
             ->capture_default_str();
-        app.add_option("--box", box,
-                       "Clip to this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
-                       "shape, or the whole volume)")
-            ->type_name("BOX");
-        app.add_option("--curvature", sampler.curvature,
-                       "Denser where the surface bends: spacing divided by 1 + X times the "
-                       "curvature over its mean, at most by 5")
-            ->type_name("X")
+        addOption(app, "--box", "BOX", box,
+                  "Clip to this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
+                  "shape, or the whole volume)");
+        addOption(app, "--curvature", "X", sampler.curvature,
+                  "Denser where the surface bends: spacing divided by 1 + X times the "
+                  "curvature over its mean, at most by 5")
             ->check(CLI::Range(0.0, 100.0));
-        app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
-            ->type_name("K")
+        addOption(app, "-k,--neighbors", "K", neighbors,
+                  "Also write the lists of the K nearest points")
             ->check(CLI::Range(std::size_t{1}, kMostNeighbors));
         force.addTo(app);
         addByteLimit(app, limit);
@@ -72,19 +66,16 @@ struct SampleArguments {
 
     void validate() const {
         if (input.empty())
-            throw Failure(
-                ExitCode::Usage,
-                "name a shape or a volume; `spiraling-edge sample --list` lists the shapes");
+            refuse("name a shape or a volume; `spiraling-edge sample --list` lists the shapes");
         if (sampler.count == 0 && !(sampler.spacing > 0.0))
-            throw Failure(ExitCode::Usage,
-                          "give the number of points: -n N, or --spacing S above 0");
-        if (output.empty()) throw Failure(ExitCode::Usage, "name a file with -o OUT.ply");
+            refuse("give the number of points: -n N, or --spacing S above 0");
+        if (output.empty()) refuse("name a file with -o OUT.ply");
         requireNoTerminal(output);
         // Points are made to be read again.
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
         if (output != "-" && (format == nullptr || !keepsPoints(*format)))
-            throw Failure(ExitCode::Usage, "-o {}: points can be written as {}", output,
-                          listText(meshFormats(), &MeshFormat::extension, "or", keepsPoints));
+            refuse("-o {}: points can be written as {}", output,
+                   listText(meshFormats(), &MeshFormat::extension, "or", keepsPoints));
         const bool volume = isVolumePath(input);
         force.require({{"", volume ? input : ""},
                        {"the data file", volume ? dataFileOf(input).string() : ""}},

@@ -58,11 +58,9 @@ struct TableArguments {
     RunSpec spec;
 
     void addTo(CLI::App& app) {
-        app.add_option(
-               "--volumes", volumes,
-               "Folder with lobster.nhdr and electron_cloud.nhdr (docs/performance.md names the "
-               "sources); without it shapes are used instead")
-            ->type_name("DIR");
+        addOption(app, "--volumes", "DIR", volumes,
+                  "Folder with lobster.nhdr and electron_cloud.nhdr (docs/performance.md names the "
+                  "sources); without it shapes are used instead");
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
         app.final_callback([this] {
@@ -71,14 +69,11 @@ struct TableArguments {
             spec = specOf(run.given(), std::move(base));
         });
         app.footer(rulesHelp());
-        app.add_option("--seed", seed, "Seed of the particles")
-            ->type_name("S")
-            ->capture_default_str();
-        app.add_option("--curvature", curvature, "As in `spiraling-edge sample`")
-            ->type_name("X")
+        addOption(app, "--seed", "S", seed, "Seed of the particles")->capture_default_str();
+        addOption(app, "--curvature", "X", curvature, "As in `spiraling-edge sample`")
             ->check(CLI::Range(0.0, 100.0));
-        app.add_option("--save", save, "Write the five sets of points into this folder, as PLY")
-            ->type_name("DIR");
+        addOption(app, "--save", "DIR", save,
+                  "Write the five sets of points into this folder, as PLY");
         force.addTo(app);
         addByteLimit(app, limit);
         app.add_flag("--json", json, "As JSON");
@@ -94,7 +89,7 @@ struct TableArguments {
              {std::pair{"--volumes", &volumes}, std::pair{"--save", &save}}) {
             std::error_code ignored;
             if (!folder->empty() && !std::filesystem::is_directory(*folder, ignored))
-                throw Failure(ExitCode::Usage, "{} {}: no such folder", option, *folder);
+                refuse("{} {}: no such folder", option, *folder);
         }
         NamedFiles inputs;
         NamedFiles outputs;

@@ -35,10 +35,10 @@ std::array<Index, 3> pointsFrom(const std::string& option, const std::string& te
         ++at;
     }
     if (found == count && at == end) return points;
-    throw Failure(ExitCode::Usage, "{} {}: expected {}", option, text,
-                  count == 1   ? "a point number, such as 812"
-                  : count == 2 ? "two points, such as 812,640"
-                               : "three points, such as 812,640,77");
+    refuse("{} {}: expected {}", option, text,
+           count == 1   ? "a point number, such as 812"
+           : count == 2 ? "two points, such as 812,640"
+                        : "three points, such as 812,640,77");
 }
 
 std::string wordList() {
@@ -69,33 +69,24 @@ struct WhyArguments {
     void addTo(CLI::App& app) {
         input.addTo(app);
         auto* subject = app.add_option_group("Subjects");
-        subject->add_option("--point", point, "A point, by its number from 0")->type_name("P");
-        subject->add_option("--edge", edge, "The edge of two points")->type_name("P,Q");
-        subject->add_option("--triangle", triangle, "The triangle of three points")
-            ->type_name("P,Q,R");
-        subject
-            ->add_option("--ring", ring,
-                         "The edge ring at an address: the active one, or with #K the K-th on the "
-                         "stack")
-            ->type_name("ADDRESS[#K]");
+        addOption(*subject, "--point", "P", point, "A point, by its number from 0");
+        addOption(*subject, "--edge", "P,Q", edge, "The edge of two points");
+        addOption(*subject, "--triangle", "P,Q,R", triangle, "The triangle of three points");
+        addOption(*subject, "--ring", "ADDRESS[#K]", ring,
+                  "The edge ring at an address: the active one, or with #K the K-th on the "
+                  "stack");
         subject->add_flag("--charts", charts,
                           "No subject: refusals by stage; ring length, candidates and tests of the "
                           "pivots; each with the --find line that lists them");
-        subject
-            ->add_option("--closest", closest,
-                         "No subject: the N decisions closest to going the other way")
-            ->type_name("N")
+        addOption(*subject, "--closest", "N", closest,
+                  "No subject: the N decisions closest to going the other way")
             ->check(CLI::PositiveNumber);
-        subject
-            ->add_option("--find", query,
-                         "No subject: the decisions that a line such as \"stage=sphere kept "
-                         "margin<1e-4\" matches")
-            ->type_name("LINE");
-        subject
-            ->add_option("--failure", failure,
-                         "No subject: how the first failure of a class, or the Nth, came about; "
-                         "classes: spiraling-edge check --help, and leftover_rings, triangle_cap")
-            ->type_name("CLASS[:N]");
+        addOption(*subject, "--find", "LINE", query,
+                  "No subject: the decisions that a line such as \"stage=sphere kept "
+                  "margin<1e-4\" matches");
+        addOption(*subject, "--failure", "CLASS[:N]", failure,
+                  "No subject: how the first failure of a class, or the Nth, came about; "
+                  "classes: spiraling-edge check --help, and leftover_rings, triangle_cap");
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
@@ -106,8 +97,7 @@ struct WhyArguments {
         app.add_flag("--more", more,
                      "With --point, --edge, --triangle and --failure: look for the proof with up "
                      "to 200 inverted decisions instead of 20");
-        app.add_option("--most", limit, "With --find and --failures: list N, of each class")
-            ->type_name("N");
+        addOption(app, "--most", "N", limit, "With --find and --failures: list N, of each class");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
         app.footer("\nTerms of a LINE; all of them must hold:\n" + wordList() +
@@ -224,7 +214,7 @@ ExitCode whyVerb(const Arguments& words) {
     if (arguments.prove && !arguments.quiet && arguments.failures)
         printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())
-        throw Failure(ExitCode::Usage, "--more: needs --point, --edge, --triangle or --failure");
+        refuse("--more: needs --point, --edge, --triangle or --failure");
     const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");
     std::optional<FailureChoice> choice;
     if (!arguments.failure.empty()) choice = failureChoiceFrom(arguments.failure);
