@@ -21,30 +21,73 @@ namespace {
 
 struct Verb {
     std::string_view name;
-    std::string_view summary;
-    ExitCode (*run)(const Arguments&);
+    std::string_view summary;      ///< In the list of verbs.
+    std::string_view description;  ///< In its own help; empty: that is the viewer's.
+    ExitCode (*function)(CLI::App& app, const Arguments& words);
+
+    ExitCode run(const Arguments& words) const {
+        CLI::App app(std::string(description), fmt::format("spiraling-edge {}", name));
+        return function(app, words);
+    }
 };
 
 constexpr std::array kVerbs{
-    Verb{"run", "triangulate points; write the mesh, a report, a trace", runVerb},
-    Verb{"info", "print file information", infoVerb},
-    Verb{"doctor", "find problems in a file, and fix them", doctorVerb},
-    Verb{"why", "explain why a point, an edge or a triangle is in the mesh, or why not", whyVerb},
-    Verb{"check", "find the faults of a mesh from any program", checkVerb},
+    Verb{"run", "triangulate points; write the mesh, a report, a trace",
+         "Triangulates points with normals.", runVerb},
+    Verb{"info", "print file information", "Prints the content of a file.", infoVerb},
+    Verb{"doctor", "find problems in a file, and fix them",
+         "Finds what in a file causes the algorithm trouble, and fixes what needs no guessing.",
+         doctorVerb},
+    Verb{"why", "explain why a point, an edge or a triangle is in the mesh, or why not",
+         "Explains why a point, an edge or a triangle is in the mesh or is not, and what went "
+         "wrong. Give exactly one of --point, --edge, --triangle, --ring, --charts, --closest, "
+         "--find, --failure or --failures, described at the end of the options.",
+         whyVerb},
+    Verb{"check", "find the faults of a mesh from any program",
+         "Finds the faults of a mesh, of this program or of any other.", checkVerb},
     Verb{"compare", "compare two runs, or a run and a mesh, down to the first differing decision",
+         "Compares two runs on the same points, or a run and the mesh of another program.",
          compareVerb},
-    Verb{"diff", "compare the trace of another implementation with a run", diffVerb},
-    Verb{"reduce", "reduce an input to a minimal failing case", reduceVerb},
-    Verb{"sample", "sample points evenly on a shape or an isosurface of a volume", sampleVerb},
-    Verb{"scenes", "list the built-in scenes", scenesVerb},
-    Verb{"figures", "list the figures of the paper with their scenes, and check them", figuresVerb},
+    Verb{"diff", "compare the trace of another implementation with a run",
+         "Compares the trace of another implementation (docs/file-formats.md) with a run: the "
+         "first difference, the decisions that account for it, and the rule that, changed alone, "
+         "gives the whole trace.",
+         diffVerb},
+    Verb{"reduce", "reduce an input to a minimal failing case",
+         "Reduces an input to a minimal set of points that still fails in the same class.",
+         reduceVerb},
+    Verb{"sample", "sample points evenly on a shape or an isosurface of a volume",
+         "Distributes particles evenly over an isosurface and writes them as points.", sampleVerb},
+    Verb{"scenes", "list the built-in scenes",
+         "Lists the built-in scenes, the default first, then those that fail, with the class of "
+         "the failure and the address of the decision that causes it.",
+         scenesVerb},
+    Verb{"figures", "list the figures of the paper with their scenes, and check them",
+         "Lists the figures of the paper, all or those numbered N: the scene and the decision to "
+         "open, the points by the paper's letters, and what goes wrong without the rule.",
+         figuresVerb},
     Verb{"lesson", "list, show, check and begin lessons; sum up the results of a class",
+         "Lists the lessons, shows one, checks one against its runs (exit code 1 if an answer "
+         "disagrees, 3 if the file is malformed), begins a new one on an input, or sums up the "
+         "results of a class (docs/lessons.md).",
          lessonVerb},
-    Verb{"practice", "print a pivot to play by hand, and grade a try", practiceVerb},
-    Verb{"table1", "reproduce the paper's Table 1", table1Verb},
-    Verb{"view", "open the viewer on a file", viewVerb},
-    Verb{"render", "write a picture without opening a window", renderVerb},
-    Verb{"export", "write frames as pictures, an animation or a page", exportVerb},
+    Verb{"practice", "print a pivot to play by hand, and grade a try",
+         "Prints a pivot to play by hand, drawn from a seed: coordinates, neighbors, edge ring, "
+         "and the form of the answer; with --answer, names the first wrong decision.",
+         practiceVerb},
+    Verb{"table1", "reproduce the paper's Table 1",
+         "Samples the five sets of the paper's Table 1, triangulates them and prints the paper's "
+         "table beside the result.",
+         table1Verb},
+    Verb{"view", "open the viewer on a file", "", viewVerb},
+    Verb{"render", "write a picture without opening a window",
+         "Writes a picture of a run without opening a window. All other options are passed to "
+         "spiraling-edge-viewer.",
+         renderVerb},
+    Verb{"export", "write frames as pictures, an animation or a page",
+         "Writes frames of a run or a lesson without opening a window: as pictures, an animation "
+         "or a page. All other options are passed to spiraling-edge-viewer.",
+         exportVerb},
 };
 
 constexpr std::string_view kSummary = "Spiraling Edge surface reconstruction.";
@@ -86,7 +129,7 @@ void printOptionLists() {
         list["verbs"].push_back({{"name", verb.name}, {"summary", verb.summary}});
     printText(list.dump() + "\n");
     for (const Verb& verb : kVerbs) {
-        if (verb.run != viewVerb) verb.run({"--help", "--json"});
+        if (!verb.description.empty()) verb.run({"--help", "--json"});
     }
 }
 
@@ -95,7 +138,7 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
     const std::string& word = arguments.front();
     std::error_code ignored;
     if (std::filesystem::exists(word, ignored) || word.starts_with("scene:"))
-        return viewVerb(arguments);
+        return teach::findNamed(kVerbs, "view")->run(arguments);
     if (word.starts_with("-")) refuse("{}: no such option; see spiraling-edge --help", word);
     if (word.find_first_of("./") != std::string::npos)
         throw Failure(ExitCode::Input, word + ": no such file");

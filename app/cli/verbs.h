@@ -19,37 +19,37 @@ using Arguments = std::vector<std::string>;
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
 /// Triangulates points; writes mesh, report and trace.
-ExitCode runVerb(const Arguments& arguments);
+ExitCode runVerb(CLI::App& app, const Arguments& words);
 /// Prints file information.
-ExitCode infoVerb(const Arguments& arguments);
+ExitCode infoVerb(CLI::App& app, const Arguments& words);
 /// Finds what in a file causes trouble, and fixes what needs no guessing.
-ExitCode doctorVerb(const Arguments& arguments);
+ExitCode doctorVerb(CLI::App& app, const Arguments& words);
 /// Finds the faults of a mesh.
-ExitCode checkVerb(const Arguments& arguments);
+ExitCode checkVerb(CLI::App& app, const Arguments& words);
 /// Compares two runs, or a run and a mesh.
-ExitCode compareVerb(const Arguments& arguments);
+ExitCode compareVerb(CLI::App& app, const Arguments& words);
 /// Compares the trace of another implementation with a run.
-ExitCode diffVerb(const Arguments& arguments);
+ExitCode diffVerb(CLI::App& app, const Arguments& words);
 /// Reduces an input to a minimal failing case.
-ExitCode reduceVerb(const Arguments& arguments);
+ExitCode reduceVerb(CLI::App& app, const Arguments& words);
 /// Samples an isosurface.
-ExitCode sampleVerb(const Arguments& arguments);
+ExitCode sampleVerb(CLI::App& app, const Arguments& words);
 /// Prints the paper's Table 1 beside the results of this program.
-ExitCode table1Verb(const Arguments& arguments);
+ExitCode table1Verb(CLI::App& app, const Arguments& words);
 /// Explains why something is in the mesh, or why not.
-ExitCode whyVerb(const Arguments& arguments);
+ExitCode whyVerb(CLI::App& app, const Arguments& words);
 /// Prints the figures of the paper, and checks them.
-ExitCode figuresVerb(const Arguments& arguments);
+ExitCode figuresVerb(CLI::App& app, const Arguments& words);
 /// Lists, shows, checks and begins lessons, and sums up results.
-ExitCode lessonVerb(const Arguments& arguments);
+ExitCode lessonVerb(CLI::App& app, const Arguments& words);
 /// Prints a pivot to play by hand, and grades a try.
-ExitCode practiceVerb(const Arguments& arguments);
+ExitCode practiceVerb(CLI::App& app, const Arguments& words);
 /// Lists the built-in scenes.
-ExitCode scenesVerb(const Arguments& arguments);
+ExitCode scenesVerb(CLI::App& app, const Arguments& words);
 /// Starts the viewer. Returns only by throwing.
-ExitCode viewVerb(const Arguments& arguments);
+ExitCode viewVerb(CLI::App& app, const Arguments& words);
 /// Writes a picture by the viewer, without a window. Returns only by throwing, or after its help.
-ExitCode renderVerb(const Arguments& arguments);
-ExitCode exportVerb(const Arguments& arguments);
+ExitCode renderVerb(CLI::App& app, const Arguments& words);
+ExitCode exportVerb(CLI::App& app, const Arguments& words);
 
 }  // namespace se::cli

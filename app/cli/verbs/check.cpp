@@ -198,10 +198,8 @@ void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles
 
 }  // namespace
 
-ExitCode checkVerb(const Arguments& words) {
+ExitCode checkVerb(CLI::App& app, const Arguments& words) {
     CheckArguments arguments;
-    CLI::App app("Finds the faults of a mesh, of this program or of any other.",
-                 "spiraling-edge check");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();

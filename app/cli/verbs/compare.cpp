@@ -301,11 +301,9 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
 
 }  // namespace
 
-ExitCode compareVerb(const Arguments& words) {
+ExitCode compareVerb(CLI::App& app, const Arguments& words) {
     const ComparedWords split = splitAtWith(words);
     CompareArguments arguments;
-    CLI::App app("Compares two runs on the same points, or a run and the mesh of another program.",
-                 "spiraling-edge compare");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, split.a)) return *code;
     if (split.hasWith == !arguments.mesh.empty())

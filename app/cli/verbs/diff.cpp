@@ -101,13 +101,8 @@ std::optional<RuleValue> guessOpposing(const Trace& trace, const InputArguments&
 
 }  // namespace
 
-ExitCode diffVerb(const Arguments& words) {
+ExitCode diffVerb(CLI::App& app, const Arguments& words) {
     DiffArguments arguments;
-    CLI::App app(
-        "Compares the trace of another implementation (docs/file-formats.md) with a run: the first "
-        "difference, the decisions that account for it, and the rule that, changed alone, gives "
-        "the whole trace.",
-        "spiraling-edge diff");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     const std::optional<TraceStage> upto = arguments.upto();

@@ -216,11 +216,8 @@ void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
 
 }  // namespace
 
-ExitCode doctorVerb(const Arguments& words) {
+ExitCode doctorVerb(CLI::App& app, const Arguments& words) {
     DoctorArguments arguments;
-    CLI::App app(
-        "Finds what in a file causes the algorithm trouble, and fixes what needs no guessing.",
-        "spiraling-edge doctor");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();

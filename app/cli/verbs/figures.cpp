@@ -158,13 +158,8 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
 
 }  // namespace
 
-ExitCode figuresVerb(const Arguments& words) {
+ExitCode figuresVerb(CLI::App& app, const Arguments& words) {
     FigureArguments arguments;
-    CLI::App app(
-        "Lists the figures of the paper, all or those numbered N: the scene and the decision to "
-        "open, the points by the "
-        "paper's letters, and what goes wrong without the rule.",
-        "spiraling-edge figures");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     if (!arguments.volumes.empty() && !std::filesystem::is_directory(arguments.volumes))

@@ -86,13 +86,9 @@ void forward(const CLI::App& app, Arguments& arguments) {
 
 }  // namespace
 
-ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
+ExitCode viewVerb(CLI::App&, const Arguments& words) { becomeViewer(words); }
 
-ExitCode renderVerb(const Arguments& words) {
-    CLI::App app(
-        "Writes a picture of a run without opening a window. All other options are passed "
-        "to spiraling-edge-viewer.",
-        "spiraling-edge render");
+ExitCode renderVerb(CLI::App& app, const Arguments& words) {
     std::string input;
     std::string picture;
     std::string place;
@@ -113,11 +109,7 @@ ExitCode renderVerb(const Arguments& words) {
     becomeViewer(arguments);
 }
 
-ExitCode exportVerb(const Arguments& words) {
-    CLI::App app(
-        "Writes frames of a run or a lesson without opening a window: as pictures, an animation "
-        "or a page. All other options are passed to spiraling-edge-viewer.",
-        "spiraling-edge export");
+ExitCode exportVerb(CLI::App& app, const Arguments& words) {
     std::string input;
     std::string output;
     app.add_option("IN", input,

@@ -124,8 +124,7 @@ void addTriangles(const Contents& contents, Answer& answer) {
 
 }  // namespace
 
-ExitCode infoVerb(const Arguments& words) {
-    CLI::App app("Prints the content of a file.", "spiraling-edge info");
+ExitCode infoVerb(CLI::App& app, const Arguments& words) {
     InputArguments arguments;
     bool json = false;
     arguments.addTo(app, {SpecGroup::Reading});

@@ -281,13 +281,8 @@ void addLessonOptions(CLI::App& app, LessonArguments& arguments) {
 
 }  // namespace
 
-ExitCode lessonVerb(const Arguments& words) {
+ExitCode lessonVerb(CLI::App& app, const Arguments& words) {
     LessonArguments arguments;
-    CLI::App app(
-        "Lists the lessons, shows one, checks one against its runs (exit code 1 if an answer "
-        "disagrees, 3 if the file is malformed), begins a new one on an input, or sums up the "
-        "results of a class (docs/lessons.md).",
-        "spiraling-edge lesson");
     addLessonOptions(app, arguments);
     if (const auto code = parseArguments(app, words)) return *code;
     const LessonAction* action = teach::findNamed(kLessonActions, arguments.action);

@@ -148,12 +148,8 @@ ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask&
 
 }  // namespace
 
-ExitCode practiceVerb(const Arguments& words) {
+ExitCode practiceVerb(CLI::App& app, const Arguments& words) {
     PracticeArguments arguments;
-    CLI::App app(
-        "Prints a pivot to play by hand, drawn from a seed: coordinates, neighbors, edge ring, "
-        "and the form of the answer; with --answer, names the first wrong decision.",
-        "spiraling-edge practice");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     const PracticeTask task = teach::practiceTask(arguments.seed);

@@ -143,10 +143,8 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
 
 }  // namespace
 
-ExitCode reduceVerb(const Arguments& words) {
+ExitCode reduceVerb(CLI::App& app, const Arguments& words) {
     ReduceArguments arguments;
-    CLI::App app("Reduces an input to a minimal set of points that still fails in the same class.",
-                 "spiraling-edge reduce");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     const FailureChoice wanted = failureChoiceFrom(arguments.failure);

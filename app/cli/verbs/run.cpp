@@ -356,9 +356,8 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
 
 }  // namespace
 
-ExitCode runVerb(const Arguments& words) {
+ExitCode runVerb(CLI::App& app, const Arguments& words) {
     RunArguments arguments;
-    CLI::App app("Triangulates points with normals.", "spiraling-edge run");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();

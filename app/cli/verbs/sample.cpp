@@ -122,10 +122,8 @@ std::string summary(const std::string& input, const PointFile& file, const Sampl
 
 }  // namespace
 
-ExitCode sampleVerb(const Arguments& words) {
+ExitCode sampleVerb(CLI::App& app, const Arguments& words) {
     SampleArguments arguments;
-    CLI::App app("Distributes particles evenly over an isosurface and writes them as points.",
-                 "spiraling-edge sample");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     if (arguments.list) {

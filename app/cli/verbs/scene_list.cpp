@@ -50,12 +50,7 @@ Json scenesJson() {
 
 }  // namespace
 
-ExitCode scenesVerb(const Arguments& words) {
-    CLI::App app(
-        "Lists the built-in scenes, the default first, then those that fail, with the class "
-        "of "
-        "the failure and the address of the decision that causes it.",
-        "spiraling-edge scenes");
+ExitCode scenesVerb(CLI::App& app, const Arguments& words) {
     bool json = false;
     app.add_flag("--json", json, "As JSON, with the number of points and what to look at");
     if (const auto code = parseArguments(app, words)) return *code;

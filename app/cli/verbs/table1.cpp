@@ -236,12 +236,8 @@ Answer tableAnswer(const std::vector<Made>& all, const TableArguments& arguments
 
 }  // namespace
 
-ExitCode table1Verb(const Arguments& words) {
+ExitCode table1Verb(CLI::App& app, const Arguments& words) {
     TableArguments arguments;
-    CLI::App app(
-        "Samples the five sets of the paper's Table 1, triangulates them and prints the "
-        "paper's table beside the result.",
-        "spiraling-edge table1");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();

@@ -197,13 +197,8 @@ Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& r
 
 }  // namespace
 
-ExitCode whyVerb(const Arguments& words) {
+ExitCode whyVerb(CLI::App& app, const Arguments& words) {
     WhyArguments arguments;
-    CLI::App app(
-        "Explains why a point, an edge or a triangle is in the mesh or is not, and what went "
-        "wrong. Give exactly one of --point, --edge, --triangle, --ring, --charts, --closest, "
-        "--find, --failure or --failures, described at the end of the options.",
-        "spiraling-edge why");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     // Mistakes in the query are reported before the long work.
