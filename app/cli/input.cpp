@@ -24,22 +24,6 @@
 namespace se::cli {
 namespace {
 
-/// Message for inputs that are commonly mistaken for points, with what to do instead.
-void refuseOtherThings(const std::string& input) {
-    if (isVolumePath(input)) {
-        throw Failure(ExitCode::Input,
-                      "{}: is a volume; `spiraling-edge sample {} -n N -o POINTS.ply` samples "
-                      "points on a surface in it",
-                      input, shellPath(input));
-    }
-    if (input.starts_with("sample:")) {
-        throw Failure(ExitCode::Input,
-                      "{}: works in the viewer only; `spiraling-edge sample` writes such points to "
-                      "a file first",
-                      input);
-    }
-}
-
 Field readVolumeField(const std::string& input, const std::optional<double>& isovalue,
                       const ByteLimit& limit) {
     const auto volume = std::make_shared<const Volume>(
@@ -60,7 +44,16 @@ RunSpec specOf(const SpecChange& given, RunSpec spec) {
 }
 
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
-    refuseOtherThings(input);
+    if (isVolumePath(input))
+        throw Failure(ExitCode::Input,
+                      "{}: is a volume; `spiraling-edge sample {} -n N -o POINTS.ply` samples "
+                      "points on a surface in it",
+                      input, shellPath(input));
+    if (input.starts_with("sample:"))
+        throw Failure(ExitCode::Input,
+                      "{}: works in the viewer only; `spiraling-edge sample` writes such points to "
+                      "a file first",
+                      input);
     if (isScene(input)) return require(teach::buildScene(input), ExitCode::Input);
     return require(isStandardInput(input)
                        ? readStandardInput(limit, unpackGzip)
@@ -73,11 +66,11 @@ std::size_t countOfType(const PointFile& file, bool (*isSo)(std::uint8_t type)) 
 }
 
 InputPiece readPiece(const RunSpec& spec) {
-    InputPiece read{readInput(spec.source, ByteLimit{spec.maxBytes}), {spec.piece, 0, 0}};
-    read.points.inFile = read.file.position.size();
+    InputPiece read{readInput(spec.source, ByteLimit{spec.maxBytes}), spec.piece};
+    read.inFile = read.file.position.size();
     read.file = require(cutPiece(std::move(read.file), spec.piece, nameOfInput(spec.source)),
                         ExitCode::Usage, "--crop: ");
-    read.points.kept = read.file.position.size();
+    read.kept = read.file.position.size();
     return read;
 }
 
@@ -140,7 +133,7 @@ void InputArguments::requirePossible(const PointSet& points, const Params& param
 
 PointFile InputArguments::read(const ProgressLine& line) const {
     InputPiece read = readPiece(spec());
-    const std::string kept = keptSentence(read.points);
+    const std::string kept = keptSentence(read);
     if (line.isWanted() && !kept.empty())
         printNote(fmt::format("{}: kept {}\n", printable(input_), kept));
     return std::move(read.file);

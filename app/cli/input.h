@@ -7,7 +7,6 @@
 #include <string>
 
 #include "output/output.h"
-#include "progress.h"
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/prepare/judge.h"
@@ -26,16 +25,12 @@ PointFile readInput(const std::string& input, const ByteLimit& limit);
 /// Number of points whose types are so: isOnWall, isCorner, ...
 std::size_t countOfType(const PointFile& file, bool (*isSo)(std::uint8_t type));
 
-/// Number of points that the options for a piece kept.
-struct KeptPoints {
+/// The points read from an input, and how many of it the options for a piece kept.
+struct InputPiece {
+    PointFile file;
     Piece piece;
     std::size_t kept = 0;
     std::size_t inFile = 0;
-};
-/// The points read from an input, and their number.
-struct InputPiece {
-    PointFile file;
-    KeptPoints points;
 };
 /// Reads the piece. Throws Failure(Input) if the input is missing or malformed, Failure(Usage) if
 /// the box holds none of its points.

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace se {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool has(std::span<const std::string> words, const char* word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 Json namesOf(const CLI::Option& option) {
     Json names = Json::array();
@@ -55,7 +52,8 @@ void addOptions(const CLI::App& app, Json& list) {
 }  // namespace
 
 bool asksForOptionList(std::span<const std::string> arguments) {
-    return arguments.size() == 2 && has(arguments, "--help") && has(arguments, "--json");
+    const std::set<std::string> words(arguments.begin(), arguments.end());
+    return arguments.size() == 2 && words == std::set<std::string>{"--help", "--json"};
 }
 
 std::string optionList(const CLI::App& app, std::string_view version) {

@@ -32,7 +32,6 @@ class SpecOptions {
     struct Bound {
         const SpecField* field;
         CLI::Option* option = nullptr;
-        bool on = false;
         std::string text{};
         std::vector<std::string> texts{};
     };

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "failure_totals.h"
+#include "failures.h"
 #include "sentences.h"
 #include "spiraling_edge/run/event_text.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "answer.h"
+#include "output.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/run_charts.h"
 #include "spiraling_edge/why/failure_moments.h"

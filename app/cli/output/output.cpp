@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "exit_code.h"
 #include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::cli {
 
@@ -58,6 +58,41 @@ void writeMeshOutput(const std::string& path, const PointFile& file,
 
 void printText(std::string_view text) { writeOutput("-", printableLines(text)); }
 
+void print(const Answer& answer, bool asJson) {
+    printText(asJson ? teach::jsonText(answer.json) : answer.text);
+}
+
 void printNote(std::string_view text) { std::fputs(printableLines(text).c_str(), stderr); }
+
+std::string nameOfInput(const std::string& input) {
+    return isStandardInput(input) ? "standard input" : input;
+}
+
+ProgressLine::ProgressLine(bool wanted)
+    : wanted_(wanted),
+      enabled_(wanted && os::isTerminal(os::Stream::Error)),
+      last_(std::chrono::steady_clock::now()) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+bool ProgressLine::due() {
+    if (!enabled_) return false;
+    const auto now = std::chrono::steady_clock::now();
+    constexpr std::chrono::milliseconds kInterval{100};
+    if (now - last_ < kInterval) return false;
+    last_ = now;
+    return true;
+}
+
+void ProgressLine::write(const std::string& what, double share) {
+    fmt::print(stderr, "\r{} {:3.0f} %", printable(what), 100.0 * share);
+    std::fflush(stderr);
+    dirty_ = true;
+}
+
+void ProgressLine::clear() {
+    if (dirty_) fmt::print(stderr, "\r{:40}\r", "");
+    dirty_ = false;
+}
 
 }  // namespace se::cli

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "failure_totals.h"
+#include "failures.h"
 #include "sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -33,12 +32,10 @@ std::string insteadText(const SpecChange& change) {
 }
 
 Json trialJson(const Trial& trial) {
-    Json json = {{"options", optionsOf(trial.change)}};
-    const std::string_view drop = textOf(trial.change, "doctor");
-    json["drop"] = orNull(drop);
-    json["work"] = trial.work;
-    json["verdict"] = verdictJson(trial.verdict);
-    return json;
+    return {{"options", optionsOf(trial.change)},
+            {"drop", orNull(textOf(trial.change, "doctor"))},
+            {"work", trial.work},
+            {"verdict", verdictJson(trial.verdict)}};
 }
 
 /// Adds lines of the summary: the numbers before and of the best, and its options.
@@ -142,12 +139,11 @@ void forEachFault(const MeshInspection& inspection, Visit&& visit) {
 }
 
 void addFaults(const RunOutcome& outcome, Json& json) {
-    if (!outcome.inspection) return;
     const MeshInspection& inspection = *outcome.inspection;
     forEachFault(inspection, [&](const FailureClass& each, const ClassTotal& total) {
         json["faults"][std::string(each.name)] = total.total;
     });
-    if (outcome.pairs) json["verdict"] = verdictJson(outcome.verdict);
+    json["verdict"] = verdictJson(outcome.verdict);
     Json list = Json::array();
     std::vector<std::optional<std::size_t>> rowOf;
     for (const MeshFailure& failure : inspection.failures) {
@@ -155,8 +151,8 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         rowOf.push_back(listed ? std::optional(list.size()) : std::nullopt);
         if (listed) list.push_back(faultRow(failure));
     }
-    json["judged"] = orNull(outcome.judged);
-    json["facts"] = outcome.facts ? inputFactsJson(*outcome.facts) : Json();
+    json["judged"] = orNull(departureText(*outcome.judge));
+    json["facts"] = inputFactsJson(outcome.judge->facts);
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
 }
@@ -272,26 +268,18 @@ std::string endingSentence(const RunOutcome& outcome) {
         outcome.params.maxTrianglesPerPoint);
 }
 
-/// The size of a given start; null without one.
-Json startSizes(const GivenStart& start) {
-    if (start.empty()) return {};
-    return {{"triangles", start.triangles.size()},
-            {"rings", start.rings.size()},
-            {"done", start.done.size()}};
-}
-
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
     if (!outcome.inspection) return {};
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
-    if (outcome.pairs ? outcome.verdict.isSound() : count == 0) return {};
+    if (outcome.judge ? outcome.verdict.isSound() : count == 0) return {};
     if (count == 0 || outcome.mesh.triangles == 0) return headlineOf(outcome.verdict);
     std::string text =
-        "the mesh has " + (outcome.pairs ? "faults at " + headlineOf(outcome.verdict)
+        "the mesh has " + (outcome.judge ? "faults at " + headlineOf(outcome.verdict)
                                          : counted(count, "fault") + ": " + faultCounts(outcome));
-    if (!outcome.pairs)
+    if (!outcome.judge)
         text += "; intersecting triangles and second layers not counted (use --check)";
     const bool whole = outcome.ending == StopReason::Finished && outcome.params.whatIf.empty() &&
                        outcome.params.start.empty();
@@ -305,9 +293,9 @@ std::string reportJson(const RunOutcome& outcome) {
     json["program"] = "spiraling-edge " SPIRALING_EDGE_VERSION;
     json["input"] = outcome.input;
     json["output"] = orNull(outcome.output);
-    json["columns"] = orNull(outcome.columns.names);
-    json["notes"] = outcome.notes;
-    json["piece"] = keptJson(outcome.points);
+    json["columns"] = orNull(outcome.read.file.columns.names);
+    json["notes"] = outcome.read.file.notes;
+    json["piece"] = keptJson(outcome.read);
     json["shift"] = outcome.shift ? Json(*outcome.shift) : Json();
     json["stop_reason"] = nameOf(outcome.ending);
     json["points"] = outcome.mesh.points;
@@ -322,7 +310,11 @@ std::string reportJson(const RunOutcome& outcome) {
     json["best"] = outcome.trials ? trialsJson(*outcome.trials) : Json();
     json["what_if"] = Json::array();
     for (const WhatIf& each : outcome.params.whatIf) json["what_if"].push_back(lineOf(each));
-    json["start"] = startSizes(outcome.params.start);
+    const GivenStart& start = outcome.params.start;
+    json["start"] = start.empty() ? Json()
+                                  : Json({{"triangles", start.triangles.size()},
+                                          {"rings", start.rings.size()},
+                                          {"done", start.done.size()}});
     json["run_hash"] = fmt::format("{:016x}", runHash(outcome.state, outcome.params));
     json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
     addAlerts(outcome.state.alerts, json);
@@ -347,17 +339,18 @@ std::string summaryText(const RunOutcome& outcome) {
     Answer summary{fmt::format("{}: {}, {}\n", printable(outcome.input),
                                counted(outcome.mesh.points, "point"), meshSentence(outcome.mesh))};
     if (outcome.trials) addTrials(*outcome.trials, summary);
-    if (!outcome.columns.reason.empty()) summary.line("columns", columnsSentence(outcome.columns));
-    addNotes(outcome.notes, summary);
-    summary.line("kept", keptSentence(outcome.points));
+    const ColumnReading& columns = outcome.read.file.columns;
+    if (!columns.reason.empty()) summary.line("columns", columnsSentence(columns));
+    addNotes(outcome.read.file.notes, summary);
+    summary.line("kept", keptSentence(outcome.read));
     summary.line("set aside", setAsideSentence(outcome.prepared.aside));
     summary.line("normals", averagedText(outcome.prepared.averagedNormals));
     summary.line("derived", derivedSentence(outcome.prepared.derived));
     summary.line("left over", leftOverSentence(outcome));
     summary.line("open", openSentence(outcome.mesh));
-    summary.line("judged", outcome.judged);
+    if (outcome.judge) summary.line("judged", departureText(*outcome.judge));
     summary.line("defects", defectSentence(outcome.mesh));
-    if (outcome.pairs && outcome.verdict.isSound())
+    if (outcome.judge && outcome.verdict.isSound())
         summary.line("faults", "none: the mesh is sound");
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) summary.line("alerts", fmt::format("{}, listed by --report", alerts));

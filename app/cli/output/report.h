@@ -27,9 +27,7 @@ struct Seconds {
 struct RunOutcome {
     std::string input;
     std::string output;  ///< Empty if no mesh was written.
-    ColumnReading columns;
-    std::vector<std::string> notes;  ///< Of the reader.
-    KeptPoints points;
+    InputPiece read;
     /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;
     std::string ruleSet;
@@ -39,11 +37,10 @@ struct RunOutcome {
     MeshReport mesh;
     /// Set only if faults were searched.
     std::optional<MeshInspection> inspection;
-    bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
-    std::vector<FaultPlace> places;   ///< Only with `pairs`.
-    MeshVerdict verdict;              ///< Only with `pairs`.
-    std::string judged;               ///< departureText(), with `pairs`.
-    std::optional<InputFacts> facts;  ///< With `pairs`.
+    /// Null: intersecting triangles and second layers were not searched.
+    std::shared_ptr<const MeshJudge> judge;
+    std::vector<FaultPlace> places;  ///< Only with a judge.
+    MeshVerdict verdict;             ///< Only with a judge.
     State state;
     Seconds seconds;
     StopReason ending = StopReason::Finished;  ///< Condition: after --max-pivots.

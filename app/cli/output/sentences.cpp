@@ -146,31 +146,30 @@ Json inputFactsJson(const InputFacts& facts) {
         {"openings", facts.openings}};
 }
 
-std::string keptSentence(const KeptPoints& points) {
-    const Piece& piece = points.piece;
+std::string keptSentence(const InputPiece& read) {
+    const Piece& piece = read.piece;
     if (piece.isWhole() && !piece.isScaled()) return {};
     const Vec3& scale = piece.scale;
     std::string how;
     if (piece.crop) appendPart(how, "crop");
     if (piece.thin > 0.0) appendPart(how, fmt::format("thin {}", piece.thin));
     if (piece.isScaled()) appendPart(how, fmt::format("scale {},{},{}", scale.x, scale.y, scale.z));
-    return fmt::format("{} of {}: {}", points.kept, counted(points.inFile, "point"), how);
+    return fmt::format("{} of {}: {}", read.kept, counted(read.inFile, "point"), how);
 }
 
-Json keptJson(const KeptPoints& points) {
-    const Piece& piece = points.piece;
+Json keptJson(const InputPiece& read) {
+    const Piece& piece = read.piece;
     if (piece.isWhole() && !piece.isScaled()) return {};
-    Json json = {{"crop", Json()}, {"thin", Json()}, {"scale", Json()}};
+    Json crop;
     if (piece.crop) {
-        const Vec3& low = piece.crop->low;
-        const Vec3& high = piece.crop->high;
-        json["crop"] = {low.x, low.y, low.z, high.x, high.y, high.z};
+        const auto& [low, high] = *piece.crop;
+        crop = {low.x, low.y, low.z, high.x, high.y, high.z};
     }
-    if (piece.thin > 0.0) json["thin"] = piece.thin;
-    if (piece.isScaled()) json["scale"] = piece.scale;
-    json["kept"] = points.kept;
-    json["points_in_file"] = points.inFile;
-    return json;
+    return {{"crop", crop},
+            {"thin", piece.thin > 0.0 ? Json(piece.thin) : Json()},
+            {"scale", piece.isScaled() ? Json(piece.scale) : Json()},
+            {"kept", read.kept},
+            {"points_in_file", read.inFile}};
 }
 
 void addNotes(const std::vector<std::string>& notes, Answer& answer) {

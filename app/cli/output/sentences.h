@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "answer.h"
 #include "input.h"
+#include "output.h"
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/points/input_facts.h"
@@ -37,9 +37,9 @@ Json setAsideJson(const std::array<std::size_t, kAsides>& aside);
 void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer);
 Json inputFactsJson(const InputFacts& facts);
 /// "12345 of 1000000 points: crop, thin 0.5, scale 1,1,0.001"; empty for a whole file as it is.
-std::string keptSentence(const KeptPoints& points);
+std::string keptSentence(const InputPiece& read);
 /// The same with the box; null for a whole file.
-Json keptJson(const KeptPoints& points);
+Json keptJson(const InputPiece& read);
 /// The notes of a reader, each on a line of its own under "read".
 void addNotes(const std::vector<std::string>& notes, Answer& answer);
 /// "x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)".

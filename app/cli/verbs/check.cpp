@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "input.h"
-#include "output/answer.h"
-#include "output/failure_totals.h"
+#include "output/failures.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
@@ -18,15 +17,20 @@
 namespace se::cli {
 namespace {
 
-struct CheckArguments {
+/// The classes that a mesh can have, without those at the end that only a run has.
+std::span<const FailureClass> meshClasses() {
+    const std::span<const FailureClass> all = failureClasses();
+    const auto isOfMeshes = [](const FailureClass& each) { return each.find != nullptr; };
+    return all.first(static_cast<std::size_t>(std::count_if(all.begin(), all.end(), isOfMeshes)));
+}
+
+struct CheckArguments : AnswerOptions {
     std::string mesh;
     std::string cloud;
     SpecOptions run;  ///< Those of the run, which prepare the points.
     RunSpec spec;     ///< The points, prepared as in the run.
     ByteLimit limit;
     std::vector<std::string> allowed;
-    bool json = false;
-    bool quiet = false;
 
     void addTo(CLI::App& app) {
         app.add_option("MESH", mesh,
@@ -43,32 +47,29 @@ struct CheckArguments {
         for (const char* key : {"crop", "thin", "scale", "rules", "switches"})
             run.addTo(app, *findSpecField(key));
         run.addTo(app, {SpecGroup::Lists, SpecGroup::Derived});
-        app.final_callback([this] {
-            spec = specOf(run.given());
-            spec.source = cloud;
-            spec.maxBytes = limit.bytes;
-        });
         addByteLimit(app, limit);
         addOption(app, "--allow", "CLASS", allowed,
                   "A class that is no fault here; may be repeated")
             ->allow_extra_args(false);
-        app.add_flag("--json", json,
-                     fmt::format("As JSON, with all indices; of intersecting triangles, and of "
-                                 "second layers, the first {}",
-                                 kMaxListed));
-        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a fault");
+        addAnswerOptions(app,
+                         fmt::format("As JSON, with all indices; of intersecting triangles, and of "
+                                     "second layers, the first {}",
+                                     kMaxListed),
+                         "Only the exit code: 1 if there is a fault");
         std::string footer = "\nClasses:\n";
-        for (const FailureClass& each : failureClasses()) {
-            if (each.find == nullptr) continue;
+        for (const FailureClass& each : meshClasses())
             footer += fmt::format("  {:<23} {}\n", each.name, each.meaning);
-        }
         footer.pop_back();
         app.footer(footer);
     }
 
     /// True if an option of the run was given.
     bool prepares() const { return !run.given().empty(); }
-    void validate() const {
+    /// Makes the spec, and reports all mistakes that can be found before the work begins.
+    void validate() {
+        spec = specOf(run.given());
+        spec.source = cloud;
+        spec.maxBytes = limit.bytes;
         if (mesh == kStandardInput && cloud == kStandardInput)
             refuse("--points -: standard input is MESH already; name a file");
         if (cloud.empty() && prepares())
@@ -131,14 +132,6 @@ bool isGood(const CheckArguments& arguments, const MeshVerdict& verdict) {
 }
 
 constexpr std::size_t kShownFailures = 10;
-
-/// The classes that a mesh can have, without those at the end that only a run has.
-std::span<const FailureClass> meshClasses() {
-    const std::span<const FailureClass> all = failureClasses();
-    const auto end =
-        std::find_if(all.begin(), all.end(), [](const auto& each) { return each.find == nullptr; });
-    return {all.begin(), end};
-}
 
 /// Adds a class with the first of its failures.
 void addClass(const CheckArguments& arguments, const FailureClass& kind, const ClassTotal& total,

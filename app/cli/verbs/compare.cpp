@@ -7,7 +7,6 @@
 #include "input.h"
 #include "output/ledger_text.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -89,8 +88,8 @@ void addRuns(const RunComparison& runs, Answer& answer) {
 Json trianglesJson(const MadeMesh& mesh, const std::vector<Index>& list) {
     Json json = Json::array();
     for (const Index i : list) {
-        const Triangle& t = mesh.triangles[i];
-        json.push_back({t.a, t.b, t.c});
+        const auto& [a, b, c] = mesh.triangles[i];
+        json.push_back({a, b, c});
     }
     return json;
 }
@@ -191,13 +190,9 @@ ComparedWords splitAtWith(const Arguments& words) {
             split.hasWith = true;
             continue;
         }
-        std::size_t count = split.hasWith ? wordsForBothRuns(words, i) : 1;
-        for (; count > 1; --count) split.a.push_back(words[i++]);
-        if (count == 1) {
-            split.a.push_back(words[i]);
-            continue;
-        }
-        split.with.push_back(words[i]);
+        const std::size_t count = split.hasWith ? wordsForBothRuns(words, i) : 1;
+        (count > 0 ? split.a : split.with).push_back(words[i]);
+        if (count == 2) split.a.push_back(words[++i]);
     }
     // A word among others is one value, spaces included, such as the value of --what-if.
     if (split.with.size() == 1) split.with = io::wordsIn(split.with.front());
@@ -223,12 +218,10 @@ std::string titleOf(const RunSpec& spec) {
     return title.empty() ? "the paper's rules" : title.substr(1);
 }
 
-struct CompareArguments {
+struct CompareArguments : AnswerOptions {
     InputArguments input;
     std::string mesh;
     std::size_t limit = 10;
-    bool json = false;
-    bool quiet = false;
 
     void addTo(CLI::App& app) {
         input.addTo(app);
@@ -242,8 +235,8 @@ struct CompareArguments {
                       listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
                       ") made from the same points; its vertices are matched by position");
         addOption(app, "--most", "N", limit, "List N regions of difference")->capture_default_str();
-        app.add_flag("--json", json, "As JSON, with all triangles that only one of the two has");
-        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the meshes differ");
+        addAnswerOptions(app, "As JSON, with all triangles that only one of the two has",
+                         "Only the exit code: 1 if the meshes differ");
         app.footer(app.get_footer() +
                    "\n\nExample: spiraling-edge compare scene:torus --rules paper --with --rules "
                    "robust\nEvery decision begins with an address: spiraling-edge-viewer IN "

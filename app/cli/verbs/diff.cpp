@@ -1,9 +1,5 @@
 // spiraling-edge diff: the trace of another implementation beside the run of this one.
-#include <fmt/format.h>
-
 #include "input.h"
-#include "output/answer.h"
-#include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
@@ -17,22 +13,17 @@ using teach::TraceDifference;
 using teach::TracePivot;
 using teach::TraceStage;
 
-struct DiffArguments {
+struct DiffArguments : AnswerOptions {
     std::string trace;
     InputArguments input;
     std::string stage;
-    bool json = false;
-    bool quiet = false;
 
     void addTo(CLI::App& app) {
         app.add_option("TRACE", trace, "Trace, .setrace, or -")->required();
         input.addTo(app);
-        std::string names;
-        for (const teach::TraceStageRow& row : teach::traceStages())
-            names += (names.empty() ? "" : ", ") + std::string(row.name);
+        const std::string names = listText(teach::traceStages(), &teach::TraceStageRow::name, "");
         addOption(app, "--upto", "STAGE", stage, "Compare no stage after this one: " + names);
-        app.add_flag("--json", json, "As JSON");
-        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the runs differ");
+        addAnswerOptions(app, "As JSON", "Only the exit code: 1 if the runs differ");
     }
 
     /// Throws Failure(Usage) if there is no stage of that name.

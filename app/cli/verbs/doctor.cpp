@@ -2,14 +2,14 @@
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "input.h"
-#include "output/answer.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/why/tried_fixes.h"
@@ -18,13 +18,11 @@
 namespace se::cli {
 namespace {
 
-struct DoctorArguments {
+struct DoctorArguments : AnswerOptions {
     InputArguments input;
     std::string fixed;
     std::vector<std::string> drop;
     bool tryMany = false;
-    bool json = false;
-    bool quiet = false;
     ForceOption force;
 
     void addTo(CLI::App& app) {
@@ -41,8 +39,8 @@ struct DoctorArguments {
                      fmt::format("Try all commands that are named, also on more than {} points or "
                                  "where it takes long",
                                  kManyForFixes));
-        app.add_flag("--json", json, "As JSON, with all indices");
-        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
+        addAnswerOptions(app, "As JSON, with all indices",
+                         "Only the exit code: 1 if something was found");
         std::string footer = "\nChecks (docs/doctor.md), * fixed by --fix:\n";
         for (const DoctorCheck& check : doctorChecks()) {
             footer += fmt::format("{} {:<18} {:<4} {}\n", check.hasSafeFix() ? "*" : " ",
@@ -69,7 +67,7 @@ struct DoctorArguments {
 struct Visit {
     std::string input;
     std::string inputWords;  ///< The input in commands: quoted, with the options of a piece.
-    KeptPoints points;
+    const InputPiece& read;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
     FixedFile fixed;
@@ -104,11 +102,8 @@ void tryCommands(const DoctorArguments& arguments, const PointFile& file, Progre
 
 std::string placesText(const std::vector<Index>& points) {
     constexpr std::size_t kShown = 10;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kShown, points.size()); ++i)
-        appendPart(text, std::to_string(points[i]));
-    if (points.size() > kShown) text += ", ...";
-    return text;
+    const std::span<const Index> shown(points.data(), std::min(kShown, points.size()));
+    return fmt::format("{}{}", fmt::join(shown, ", "), points.size() > kShown ? ", ..." : "");
 }
 
 Answer findingAnswer(const Finding& finding, const std::string& input) {
@@ -182,14 +177,14 @@ Answer visitAnswer(const Visit& visit) {
     const std::size_t count = visit.findings.findings.size();
     const InputFacts& facts = visit.findings.facts;
     const std::string size = sizeText(facts);
-    const std::string kept = keptSentence(visit.points);
+    const std::string kept = keptSentence(visit.read);
     const Answer found = findingsAnswer(visit.findings, visit.inputWords);
     Answer answer{fmt::format("{}: {}{}{}, {}\n", printable(visit.input),
-                              counted(visit.points.kept, "point"), size.empty() ? "" : ", ", size,
+                              counted(visit.read.kept, "point"), size.empty() ? "" : ", ", size,
                               count == 0 ? "nothing found" : counted(count, "finding")),
                   {{"input", visit.input},
-                   {"points", visit.points.kept},
-                   {"piece", keptJson(visit.points)},
+                   {"points", visit.read.kept},
+                   {"piece", keptJson(visit.read)},
                    {"facts", inputFactsJson(facts)},
                    {"accused", hasProblem(visit.findings)},
                    {"findings", found.json},
@@ -206,12 +201,13 @@ void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
                      const FixedFile& fixed) {
     const Status most = requireMostLeft(before.position, fixed.file.position, fixed.texts());
     if (most || arguments.force.given()) return;
-    std::string others;
-    for (const std::string& name : arguments.drop)
-        others += (others.empty() ? "leave out " : ", ") + ("--drop " + name);
+    const std::string others =
+        arguments.drop.empty()
+            ? "correct the file at its source"
+            : fmt::format("leave out --drop {}", fmt::join(arguments.drop, ", --drop "));
     throw Failure(ExitCode::CheckFailed, "{}: {} not written: {}; {}, or add {} to write the rest",
                   nameOfInput(arguments.input.input()), arguments.fixed, most.error().message,
-                  others.empty() ? "correct the file at its source" : others, kForceOption);
+                  others, kForceOption);
 }
 
 }  // namespace
@@ -227,7 +223,7 @@ ExitCode doctorVerb(CLI::App& app, const Arguments& words) {
     const PointFile& file = read.file;
     Visit visit{arguments.input.input(),
                 shellPath(spec.source) + optionsText(spec, {SpecGroup::Reading}),
-                read.points,
+                read,
                 examineInput(file, arguments.input.input(), line),
                 arguments.fixed,
                 {},

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "input.h"
-#include "output/output.h"
-#include "progress.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/why/figure_check.h"
 #include "teach/trace/conformance.h"

@@ -1,7 +1,5 @@
 // spiraling-edge view, render and export: replace this process by the viewer, which lies beside it.
 // The command line links no window library, so that it runs on machines without one.
-#include <fmt/format.h>
-
 #include <array>
 #include <filesystem>
 #include <fstream>

@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 
 #include "input.h"
-#include "output/answer.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"
@@ -58,7 +57,7 @@ void addPoints(const Contents& contents, Answer& answer) {
     const Vec3& low = contents.facts.low;
     const Vec3& high = contents.facts.high;
     answer.json.update({{"points", file.position.size()},
-                        {"piece", keptJson(contents.points)},
+                        {"piece", keptJson(contents)},
                         {"columns", orNull(file.columns.names)},
                         {"columns_reason", orNull(file.columns.reason)},
                         {"notes", file.notes},
@@ -69,7 +68,7 @@ void addPoints(const Contents& contents, Answer& answer) {
                     fmt::format("{:g} {:g} {:g}: the sensor; open sheets without normals face it",
                                 place->x, place->y, place->z));
     }
-    answer.line("kept", keptSentence(contents.points));
+    answer.line("kept", keptSentence(contents));
     answer.line("columns", columnsSentence(file.columns));
     addNotes(file.notes, answer);
     if (contents.facts.measured > 0) {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "input.h"
-#include "output/answer.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -99,16 +98,12 @@ std::string stepText(const Lesson& lesson, std::size_t number) {
     return text;
 }
 
-std::string headText(const Lesson& lesson) {
-    return fmt::format("{}\n{}, {}\n", lesson.title, minutesText(lesson.minutes()),
-                       contentText(lesson)) +
-           wrappedLines(teach::plainTextOf(teach::textBlocks(lesson.text)), "");
-}
-
 /// Steps with minutes, text and questions; with the answers if there are runs to find them by.
 /// Throws Failure(Input) if one of them cannot be found.
 std::string lessonPage(const Lesson& lesson, LessonRuns* runs) {
-    std::string page = headText(lesson);
+    std::string page = fmt::format("{}\n{}, {}\n", lesson.title, minutesText(lesson.minutes()),
+                                   contentText(lesson));
+    page += wrappedLines(teach::plainTextOf(teach::textBlocks(lesson.text)), "");
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         page += stepText(lesson, i);
         const std::optional<Question>& question = lesson.steps[i].question;

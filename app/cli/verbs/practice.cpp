@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "input.h"
-#include "output/answer.h"
 #include "spiraling_edge/base/files.h"
 #include "teach/practice.h"
 #include "verbs.h"

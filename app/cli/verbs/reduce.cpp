@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "failure_choice.h"
 #include "input.h"
-#include "output/output.h"
+#include "output/failures.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/run/reconstruct.h"

@@ -1,17 +1,13 @@
 // spiraling-edge run: triangulates points, and writes mesh, report and trace.
 #include <fmt/format.h>
 #include <algorithm>
-#include <cassert>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "exit_code.h"
 #include "input.h"
-#include "output/output.h"
 #include "output/report.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -37,73 +33,56 @@ bool isPivotTrace(const std::string& path) {
 /// leaves none.
 class TraceWriter {
   public:
-    /// `path` empty: writes nothing; `-`: to standard output. Throws Failure(Internal) if the file
-    /// cannot be created.
+    /// `-`: to standard output. Throws Failure(Internal) if the file cannot be created.
     TraceWriter(const std::string& path, teach::TraceDetail detail)
-        : active_(!path.empty()), perPivot_(isPivotTrace(path)), detail_(detail) {
-        if (active_ && path != "-") file_ = require(AtomicFile::create(path), ExitCode::Internal);
+        : perPivot_(isPivotTrace(path)), detail_(detail) {
+        if (path != "-") file_ = require(AtomicFile::create(path), ExitCode::Internal);
     }
 
-    bool active() const { return active_; }
-    /// Writes what stands before the first pivot. Requires active().
+    /// Writes what stands before the first pivot.
     void begin(const PointSet& points) {
         if (perPivot_) buffer_ += teach::traceHeader(points);
     }
     /// Runs `stepper` to the end of its next pivot, as Stepper::stepPivot(), and appends the lines
-    /// of that pivot. Requires active(). Throws Failure(Internal).
-    bool step(Stepper& stepper);
+    /// of that pivot. Throws Failure(Internal).
+    bool step(Stepper& stepper) {
+        constexpr std::size_t kBlock = 1U << 16U;
+        bool ran = false;
+        if (perPivot_) {
+            const teach::TraceStep step = teach::stepTraced(stepper, detail_);
+            if (step.pivot) buffer_ += teach::traceLine(*step.pivot);
+            ran = step.ran;
+        } else {
+            stepper.setLog(&log_);
+            ran = stepper.stepPivot();
+            for (const Event& event : log_.events())
+                buffer_ += toString(event.address) + '\t' + describe(event) + '\n';
+            log_.clear();
+        }
+        if (buffer_.size() >= kBlock) flush();
+        return ran;
+    }
     /// Ends and names the file. Throws Failure(Internal) if anything could not be written.
-    void commit();
+    void commit() {
+        flush();
+        if (file_) require(file_->commit(), ExitCode::Internal);
+    }
 
   private:
-    bool stepWithPivotLine(Stepper& stepper);
-    bool stepWithSentences(Stepper& stepper);
-    void flush();
+    void flush() {
+        if (file_)
+            require(file_->write(buffer_), ExitCode::Internal);
+        else
+            writeOutput("-", buffer_);
+        buffer_.clear();
+    }
 
-    bool active_;
     bool perPivot_;
     teach::TraceDetail detail_;
     EventLog log_;
     std::optional<AtomicFile> file_;  ///< Empty: standard output.
     std::string buffer_;
 };
-
-bool TraceWriter::stepWithSentences(Stepper& stepper) {
-    stepper.setLog(&log_);
-    const bool ran = stepper.stepPivot();
-    for (const Event& event : log_.events())
-        buffer_ += toString(event.address) + '\t' + describe(event) + '\n';
-    log_.clear();
-    return ran;
-}
-
-bool TraceWriter::stepWithPivotLine(Stepper& stepper) {
-    const teach::TraceStep step = teach::stepTraced(stepper, detail_);
-    if (step.pivot) buffer_ += teach::traceLine(*step.pivot);
-    return step.ran;
-}
-
-bool TraceWriter::step(Stepper& stepper) {
-    assert(active());
-    constexpr std::size_t kBlock = 1U << 16U;
-    const bool ran = perPivot_ ? stepWithPivotLine(stepper) : stepWithSentences(stepper);
-    if (buffer_.size() >= kBlock) flush();
-    return ran;
-}
-
-void TraceWriter::flush() {
-    if (file_)
-        require(file_->write(buffer_), ExitCode::Internal);
-    else
-        writeOutput("-", buffer_);
-    buffer_.clear();
-}
-
-void TraceWriter::commit() {
-    if (!active()) return;
-    flush();
-    if (file_) require(file_->commit(), ExitCode::Internal);
-}
 
 constexpr long long kMaxPivots = 0xffffffffLL;
 
@@ -241,12 +220,12 @@ Reconstruction triangulateAtOnce(const PointSet& points, const Params& params, P
 
 /// The run with a limit or a trace; the lines of a pivot are written as soon as it is complete.
 Reconstruction triangulate(const PointSet& points, const Params& params,
-                           std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
-                           ProgressLine& line) {
+                           std::optional<std::uint32_t> maxPivots,
+                           std::optional<TraceWriter>& trace, ProgressLine& line) {
     Stepper stepper(points, params);
-    if (trace.active()) trace.begin(points);
+    if (trace) trace->begin(points);
     bool limited = maxPivots == 0U;
-    while (!limited && (trace.active() ? trace.step(stepper) : stepper.stepPivot())) {
+    while (!limited && (trace ? trace->step(stepper) : stepper.stepPivot())) {
         limited = maxPivots && stepper.state().counters.pivots >= *maxPivots;
         reportProgress(stepper.state(), line);
     }
@@ -256,17 +235,17 @@ Reconstruction triangulate(const PointSet& points, const Params& params,
 }
 
 /// Writes the mesh to the destination of -o, and records the path and the offset.
-void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
+void writeResult(const RunArguments& arguments, RunOutcome& outcome) {
+    const PointFile& file = outcome.read.file;
     outcome.output = arguments.output;
     if (arguments.output.empty()) return;
-    const auto write = [&](const PointFile& points, std::span<const Triangle> mesh) {
-        writeMeshOutput(arguments.output, points, mesh, arguments.writing);
-        if (arguments.output != "-")
-            outcome.shift = shiftOf(*meshFormatOf(arguments.output), points, mesh);
-    };
-    if (!arguments.usedPoints) return write(file, outcome.state.mesh());
-    const PointFile used = withUsedPoints(file, outcome.state.mesh());
-    write(used, used.faces);
+    PointFile used;
+    if (arguments.usedPoints) used = withUsedPoints(file, outcome.state.mesh());
+    const PointFile& points = arguments.usedPoints ? used : file;
+    const auto& mesh = arguments.usedPoints ? used.faces : outcome.state.mesh();
+    writeMeshOutput(arguments.output, points, mesh, arguments.writing);
+    if (arguments.output != "-")
+        outcome.shift = shiftOf(*meshFormatOf(arguments.output), points, mesh);
 }
 
 /// Searches faults and counts the mesh, as far as the arguments need it.
@@ -280,7 +259,6 @@ void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& 
         outcome.verdict.stopped = outcome.ending == StopReason::Capped;
     } else if (!arguments.quiet) {
         outcome.inspection = inspectLocally(points, mesh);
-        outcome.pairs = false;
     }
     if (outcome.inspection) outcome.mesh = outcome.inspection->report;
 }
@@ -314,14 +292,14 @@ struct ChosenRun {
     std::vector<Index> leaveOut;  ///< Points that are set aside besides.
 };
 
-ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, const PointFile& file,
-                    ProgressLine& line, RunOutcome& outcome) {
+ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, ProgressLine& line,
+                    RunOutcome& outcome) {
     ChosenRun chosen{named, {}};
     const GivenStart start = paramsFrom(named).start;
     if (arguments.best) requireNoStart(start, "--best");
-    if (outcome.points.kept < outcome.points.inFile) requireNoStart(start, "--crop, --thin");
+    if (outcome.read.kept < outcome.read.inFile) requireNoStart(start, "--crop, --thin");
     if (arguments.best) {
-        outcome.trials = tryOthers(file, named, line);
+        outcome.trials = tryOthers(outcome.read.file, named, line);
         const Trial& best = outcome.trials->tried[outcome.trials->best];
         chosen = {changed(named, best.change), best.leaveOut};
     }
@@ -367,17 +345,18 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
     const RunSpec& named = arguments.input.spec();
 
     ProgressLine line(!arguments.quiet);
-    TraceWriter trace(arguments.trace,
+    std::optional<TraceWriter> trace;
+    if (!arguments.trace.empty())
+        trace.emplace(arguments.trace,
                       arguments.stages ? teach::TraceDetail::Stages : teach::TraceDetail::Fans);
     StopWatch watch;
-    InputPiece read = readPiece(named);
-    PointFile& file = read.file;
-    outcome.points = read.points;
+    outcome.read = readPiece(named);
+    PointFile& file = outcome.read.file;
     outcome.seconds.read = watch.lap();
     if (file.position.empty())
         throw Failure(ExitCode::Input,
                       nameOfInput(named.source) + ": holds no points to triangulate");
-    const ChosenRun chosen = chooseRun(arguments, named, file, line, outcome);
+    const ChosenRun chosen = chooseRun(arguments, named, line, outcome);
     outcome.seconds.trials = watch.lap();
     PrepareOptions options = prepareOptionsFrom(chosen.spec, outcome.params, file);
     options.leaveOut = chosen.leaveOut;
@@ -390,16 +369,13 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
             runWithProgress("preparing", named.source, line, [&](const Progress& progress) {
                 return judgeOfRun(file, named, outcome.params, prepared.points, progress);
             });
-        outcome.judged = departureText(*prepared.points.judge);
-        outcome.facts = prepared.points.judge->facts;
+        outcome.judge = prepared.points.judge;
     }
     outcome.prepared = prepared.report;
-    outcome.columns = file.columns;
-    outcome.notes = file.notes;
     storeDerived(prepared.points, prepared.report, file);
     outcome.seconds.prepare = watch.lap();
     Reconstruction made =
-        trace.active() || arguments.maxPivots
+        trace || arguments.maxPivots
             ? triangulate(prepared.points, outcome.params, arguments.maxPivots, trace, line)
             : triangulateAtOnce(prepared.points, outcome.params, line);
     outcome.state = std::move(made.state);
@@ -414,8 +390,8 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
     if (arguments.faultFields)
         setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
     watch.lap();
-    writeResult(arguments, file, outcome);
-    trace.commit();
+    writeResult(arguments, outcome);
+    if (trace) trace->commit();
     outcome.seconds.write = watch.lap();
     return conclude(arguments, outcome);
 }

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "input.h"
-#include "output/answer.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/base/word_list.h"
@@ -17,7 +15,7 @@
 namespace se::cli {
 namespace {
 
-struct SampleArguments {
+struct SampleArguments : AnswerOptions {
     std::string input;
     std::string output;
     std::string box;
@@ -27,8 +25,6 @@ struct SampleArguments {
     ForceOption force;
     ByteLimit limit;
     bool list = false;
-    bool json = false;
-    bool quiet = false;
 
     void addTo(CLI::App& app) {
         app.add_option(
@@ -60,8 +56,7 @@ struct SampleArguments {
         force.addTo(app);
         addByteLimit(app, limit);
         app.add_flag("--list", list, "List the shapes");
-        app.add_flag("--json", json, "With --list: as JSON");
-        app.add_flag("-q,--quiet", quiet, "Print errors only");
+        addAnswerOptions(app, "With --list: as JSON", "Print errors only");
     }
 
     void validate() const {

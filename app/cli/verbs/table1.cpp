@@ -10,9 +10,7 @@
 #include <utility>
 
 #include "input.h"
-#include "output/answer.h"
 #include "output/sentences.h"
-#include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/run/reconstruct.h"
@@ -44,14 +42,12 @@ std::string slug(std::string_view set) {
     return name;
 }
 
-struct TableArguments {
+struct TableArguments : AnswerOptions {
     std::string volumes;
     std::string save;
     std::uint64_t seed = 1;
     double curvature = 0.0;
     ByteLimit limit;
-    bool json = false;
-    bool quiet = false;
     ForceOption force;
     SpecOptions run;  ///< Rules and lists.
     /// The run of each set of points; lists as of particles that repel each other.
@@ -63,11 +59,6 @@ struct TableArguments {
                   "sources); without it shapes are used instead");
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
-        app.final_callback([this] {
-            RunSpec base;
-            base.neighbors.reach = WithinSpacings{};
-            spec = specOf(run.given(), std::move(base));
-        });
         app.footer(rulesHelp());
         addOption(app, "--seed", "S", seed, "Seed of the particles")->capture_default_str();
         addOption(app, "--curvature", "X", curvature, "As in `spiraling-edge sample`")
@@ -76,15 +67,17 @@ struct TableArguments {
                   "Write the five sets of points into this folder, as PLY");
         force.addTo(app);
         addByteLimit(app, limit);
-        app.add_flag("--json", json, "As JSON");
-        app.add_flag("-q,--quiet", quiet, "Show no progress");
+        addAnswerOptions(app, "As JSON", "Show no progress");
     }
 
     std::filesystem::path savedPath(const Row& row) const {
         return std::filesystem::path(save) / (slug(row.set) + ".ply");
     }
 
-    void validate() const {
+    /// Makes the spec, and reports all mistakes that can be found before the work begins.
+    void validate() {
+        spec.neighbors.reach = WithinSpacings{};
+        spec = specOf(run.given(), std::move(spec));
         for (const auto& [option, folder] :
              {std::pair{"--volumes", &volumes}, std::pair{"--save", &save}}) {
             std::error_code ignored;
@@ -109,7 +102,6 @@ struct TableArguments {
 struct Made {
     std::string source;
     bool standIn = false;
-    std::size_t points = 0;
     std::size_t wallPoints = 0;
     MeshReport mesh;
     std::uint64_t joins = 0;
@@ -118,12 +110,12 @@ struct Made {
 
     /// Triangles of a surface like this one that uses every point: 2 V - 2 chi - boundary.
     long long ideal() const {
-        return 2 * static_cast<long long>(points) - 2 * mesh.eulerCharacteristic -
+        return 2 * static_cast<long long>(mesh.points) - 2 * mesh.eulerCharacteristic -
                static_cast<long long>(mesh.boundaryEdges);
     }
     long long missing() const { return ideal() - static_cast<long long>(mesh.triangles); }
     double trianglesPerPoint() const {
-        return static_cast<double>(mesh.triangles) / static_cast<double>(points);
+        return static_cast<double>(mesh.triangles) / static_cast<double>(mesh.points);
     }
 };
 
@@ -156,7 +148,6 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
                                         options, made.source, line);
     if (!arguments.save.empty()) writeMeshOutput(arguments.savedPath(row).string(), file, {});
-    made.points = file.position.size();
     made.wallPoints = countOfType(file, isBoundary);
     const PrepareOptions preparing = prepareOptionsFrom(arguments.spec, params, file);
     const PointSet points = require(prepare(file, preparing), ExitCode::Internal).points;
@@ -174,7 +165,7 @@ void addRow(const Row& row, const Made& made, Answer& answer) {
     answer.text += fmt::format(
         "{:<16} {:>6}  {:>8} {:>8}  {:>7.3f} {:>7.3f}  {:>6.2f} {:>8.5f} "
         "{:>6.0f}  {:>6} {:>5} {:>6} {:>5} {:>8} {:>5}{}\n",
-        fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.points, triangles,
+        fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.mesh.points, triangles,
         made.mesh.triangles, perPoint, made.trianglesPerPoint(), row.seconds, made.seconds,
         row.seconds / made.seconds, made.mesh.unusedPoints, made.missing(), made.mesh.boundaryEdges,
         made.mesh.boundaryLoops, made.mesh.nonManifoldEdges, made.joins,
@@ -182,7 +173,7 @@ void addRow(const Row& row, const Made& made, Answer& answer) {
     answer.json["sets"].push_back({{"set", row.set},
                                    {"source", made.source},
                                    {"stand_in", made.standIn},
-                                   {"points", made.points},
+                                   {"points", made.mesh.points},
                                    {"wall_points", made.wallPoints},
                                    {"triangles", made.mesh.triangles},
                                    {"ideal_triangles", made.ideal()},

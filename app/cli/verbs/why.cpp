@@ -1,18 +1,13 @@
 // spiraling-edge why: the decisions that put a point, an edge or a triangle into the mesh or not.
 #include <fmt/format.h>
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <span>
 #include <string>
-#include <vector>
 
-#include "failure_choice.h"
 #include "input.h"
+#include "output/failures.h"
 #include "output/ledger_text.h"
-#include "progress.h"
 #include "spiraling_edge/run/decision_query.h"
-#include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/proof.h"
 #include "verbs.h"
 
@@ -41,14 +36,7 @@ std::array<Index, 3> pointsFrom(const std::string& option, const std::string& te
                         : "three points, such as 812,640,77");
 }
 
-std::string wordList() {
-    std::string text;
-    for (const QueryTerm& term : queryTerms())
-        text += fmt::format("  {:<18} {}\n", term.form, term.meaning);
-    return text;
-}
-
-struct WhyArguments {
+struct WhyArguments : AnswerOptions {
     InputArguments input;
     std::string point;
     std::string edge;
@@ -63,8 +51,6 @@ struct WhyArguments {
     bool more = false;
     std::size_t closest = 0;
     std::size_t limit = 100;
-    bool json = false;
-    bool quiet = false;
 
     void addTo(CLI::App& app) {
         input.addTo(app);
@@ -98,9 +84,11 @@ struct WhyArguments {
                      "With --point, --edge, --triangle and --failure: look for the proof with up "
                      "to 200 inverted decisions instead of 20");
         addOption(app, "--most", "N", limit, "With --find and --failures: list N, of each class");
-        app.add_flag("--json", json, "As JSON");
-        app.add_flag("-q,--quiet", quiet, "Show no progress");
-        app.footer("\nTerms of a LINE; all of them must hold:\n" + wordList() +
+        addAnswerOptions(app, "As JSON", "Show no progress");
+        std::string footer = "\nTerms of a LINE; all of them must hold:\n";
+        for (const QueryTerm& term : queryTerms())
+            footer += fmt::format("  {:<18} {}\n", term.form, term.meaning);
+        app.footer(footer +
                    "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
                    "shows it.\nThe line marked > is the decisive one; the answer says whether it "
                    "is proved.");
@@ -143,14 +131,17 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer about the failure of a choice: its three moments, the proof of its cause, and what
-/// prevents it.
-Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
-                  const RunFailureSearch& found, const PreparedInput& run, const ProofScope& scope,
-                  ProgressLine& line) {
+/// Answer about what went wrong in a run: all of it, or the failure of a choice, with its three
+/// moments, the proof of its cause, and what prevents it.
+Answer askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
+                   const PreparedInput& run, const ProofScope& scope, ProgressLine& line) {
+    const RunFailureSearch found = searched(
+        arguments, "asking", line,
+        [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
+    if (!choice) return answerOf(found, arguments.limit);
     const auto kindOf = [](const RunFailure& each) { return each.failure.kind; };
     const RunFailure& failure =
-        pickFailure(found.failures, kindOf, found.verdict.totals, choice, arguments.input.input());
+        pickFailure(found.failures, kindOf, found.verdict.totals, *choice, arguments.input.input());
     Answer answer = answerOf(failure);
     const Answer proof =
         answerOf(searched(arguments, "proving", line, [&](const Progress& progress) {
@@ -159,16 +150,6 @@ Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
     answer.text += "\n" + proof.text;
     answer.json.update(proof.json);
     return answer;
-}
-
-/// Answer about what went wrong in a run: all of it, or the failure of a choice.
-Answer askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
-                   const PreparedInput& run, const ProofScope& scope, ProgressLine& line) {
-    const RunFailureSearch found = searched(
-        arguments, "asking", line,
-        [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
-    if (choice) return askFailure(arguments, *choice, found, run, scope, line);
-    return answerOf(found, arguments.limit);
 }
 
 /// Answer about the subject, the ring, the charts, the closest decisions or those of a query.
