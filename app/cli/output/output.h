@@ -22,7 +22,7 @@
 template <>
 struct nlohmann::adl_serializer<se::Vec3> {
     template <typename Json>
-    static void to_json(Json& json, const se::Vec3& v) {
+    static void to_json(Json& json, const se::Vec3& v) {  // NOLINT(readability-identifier-naming)
         json = {v.x, v.y, v.z};
     }
 };

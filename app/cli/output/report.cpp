@@ -139,11 +139,11 @@ void forEachFault(const MeshInspection& inspection, Visit&& visit) {
 }
 
 void addFaults(const RunOutcome& outcome, Json& json) {
-    const MeshInspection& inspection = *outcome.inspection;
+    const MeshInspection& inspection = outcome.judged.inspection;
     forEachFault(inspection, [&](const FailureClass& each, const ClassTotal& total) {
         json["faults"][std::string(each.name)] = total.total;
     });
-    json["verdict"] = verdictJson(outcome.verdict);
+    json["verdict"] = verdictJson(outcome.judged.verdict);
     Json list = Json::array();
     std::vector<std::optional<std::size_t>> rowOf;
     for (const MeshFailure& failure : inspection.failures) {
@@ -154,7 +154,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     json["judged"] = orNull(departureText(*outcome.judge));
     json["facts"] = inputFactsJson(outcome.judge->facts);
     json["fault_list"] = list;
-    addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
+    addPlaces(outcome.judged.places, inspection.failures, rowOf, kMaxFaults, json);
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
@@ -213,7 +213,7 @@ std::string leftOverSentence(const RunOutcome& outcome) {
     const std::size_t aside = outcome.prepared.countAside();
     // What was stranded during the run may be in the mesh after its repairs.
     const std::size_t unused =
-        outcome.mesh.unusedPoints - std::min(outcome.mesh.unusedPoints, aside);
+        outcome.mesh().unusedPoints - std::min(outcome.mesh().unusedPoints, aside);
     const auto add = [&](std::size_t most, const char* what) {
         const std::size_t count = std::min(most, unused);
         if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
@@ -251,7 +251,7 @@ std::string derivedSentence(const DerivedPieces& derived) {
 /// "2 holes, 1 folded edge", without the search for pairs.
 std::string faultCounts(const RunOutcome& outcome) {
     std::string text;
-    forEachFault(*outcome.inspection, [&](const FailureClass& each, const ClassTotal& total) {
+    forEachFault(outcome.judged.inspection, [&](const FailureClass& each, const ClassTotal& total) {
         if (total.total == 0) return;
         appendPart(text, fmt::format("{} {}", total.total, nounFor(each, total.total)));
     });
@@ -271,13 +271,12 @@ std::string endingSentence(const RunOutcome& outcome) {
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
-    if (!outcome.inspection) return {};
-    const std::vector<ClassTotal>& totals = outcome.inspection->totals;
+    const std::vector<ClassTotal>& totals = outcome.judged.inspection.totals;
     const std::size_t count = faultCount(totals);
-    if (outcome.judge ? outcome.verdict.isSound() : count == 0) return {};
-    if (count == 0 || outcome.mesh.triangles == 0) return headlineOf(outcome.verdict);
+    if (outcome.judge ? outcome.judged.verdict.isSound() : count == 0) return {};
+    if (count == 0 || outcome.mesh().triangles == 0) return headlineOf(outcome.judged.verdict);
     std::string text =
-        "the mesh has " + (outcome.judge ? "faults at " + headlineOf(outcome.verdict)
+        "the mesh has " + (outcome.judge ? "faults at " + headlineOf(outcome.judged.verdict)
                                          : counted(count, "fault") + ": " + faultCounts(outcome));
     if (!outcome.judge)
         text += "; intersecting triangles and second layers not counted (use --check)";
@@ -298,12 +297,12 @@ std::string reportJson(const RunOutcome& outcome) {
     json["piece"] = keptJson(outcome.read);
     json["shift"] = outcome.shift ? Json(*outcome.shift) : Json();
     json["stop_reason"] = nameOf(outcome.ending);
-    json["points"] = outcome.mesh.points;
-    json["triangles"] = outcome.mesh.triangles;
-    json["components"] = outcome.mesh.components;
+    json["points"] = outcome.mesh().points;
+    json["triangles"] = outcome.mesh().triangles;
+    json["components"] = outcome.mesh().components;
     addCounters(outcome.state.counters, json);
     addRepairs(outcome.state.repair, json);
-    addMesh(outcome.mesh, json);
+    addMesh(outcome.mesh(), json);
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);
     addRules(outcome, json);
@@ -337,7 +336,8 @@ std::string shiftText(const RunOutcome& outcome) {
 
 std::string summaryText(const RunOutcome& outcome) {
     Answer summary{fmt::format("{}: {}, {}\n", printable(outcome.input),
-                               counted(outcome.mesh.points, "point"), meshSentence(outcome.mesh))};
+                               counted(outcome.mesh().points, "point"),
+                               meshSentence(outcome.mesh()))};
     if (outcome.trials) addTrials(*outcome.trials, summary);
     const ColumnReading& columns = outcome.read.file.columns;
     if (!columns.reason.empty()) summary.line("columns", columnsSentence(columns));
@@ -347,10 +347,10 @@ std::string summaryText(const RunOutcome& outcome) {
     summary.line("normals", averagedText(outcome.prepared.averagedNormals));
     summary.line("derived", derivedSentence(outcome.prepared.derived));
     summary.line("left over", leftOverSentence(outcome));
-    summary.line("open", openSentence(outcome.mesh));
+    summary.line("open", openSentence(outcome.mesh()));
     if (outcome.judge) summary.line("judged", departureText(*outcome.judge));
-    summary.line("defects", defectSentence(outcome.mesh));
-    if (outcome.judge && outcome.verdict.isSound())
+    summary.line("defects", defectSentence(outcome.mesh()));
+    if (outcome.judge && outcome.judged.verdict.isSound())
         summary.line("faults", "none: the mesh is sound");
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) summary.line("alerts", fmt::format("{}, listed by --report", alerts));

@@ -34,16 +34,15 @@ struct RunOutcome {
     std::optional<Trials> trials;  ///< Of --best.
     Params params;
     PrepareReport prepared;
-    MeshReport mesh;
-    /// Set only if faults were searched.
-    std::optional<MeshInspection> inspection;
+    JudgedMesh
+        judged;  ///< Empty if faults were not searched; without a judge the inspection alone.
     /// Null: intersecting triangles and second layers were not searched.
     std::shared_ptr<const MeshJudge> judge;
-    std::vector<FaultPlace> places;  ///< Only with a judge.
-    MeshVerdict verdict;             ///< Only with a judge.
     State state;
     Seconds seconds;
     StopReason ending = StopReason::Finished;  ///< Condition: after --max-pivots.
+
+    const MeshReport& mesh() const { return judged.inspection.report; }
 };
 
 /// "the mesh has 3 faults at 2 places: 2 holes, 1 folded; --best may avoid them", "no fault

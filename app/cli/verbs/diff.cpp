@@ -34,11 +34,6 @@ struct DiffArguments : AnswerOptions {
     }
 };
 
-Trace readTraceArgument(const std::string& path, std::optional<TraceStage> upto) {
-    const std::string file = path == kStandardInput ? "/dev/stdin" : path;
-    return require(teach::readTraceFile(file, upto.value_or(TraceStage::Emit)), ExitCode::Input);
-}
-
 Json reasonJson(const teach::TraceReason& reason) {
     Json json = Json::object();
     if (reason.point != kNone)
@@ -100,7 +95,9 @@ ExitCode diffVerb(CLI::App& app, const Arguments& words) {
     const std::string& input = arguments.input.input();
     if (arguments.trace == kStandardInput && input == kStandardInput)
         refuse("-: standard input is TRACE already; name a file");
-    const Trace trace = readTraceArgument(arguments.trace, upto);
+    const std::string path = isStandardInput(arguments.trace) ? "/dev/stdin" : arguments.trace;
+    const Trace trace =
+        require(teach::readTraceFile(path, upto.value_or(TraceStage::Emit)), ExitCode::Input);
     ProgressLine line(!arguments.quiet);
     PreparedInput prepared = arguments.input.prepare(line);
     require(teach::requireTraceOf(trace, prepared.points, arguments.trace), ExitCode::Input);

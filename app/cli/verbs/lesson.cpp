@@ -82,12 +82,6 @@ std::string questionText(const Question& question) {
     return text;
 }
 
-std::string rightAnswerText(const RightAnswer& right) {
-    std::string text = wrappedLines("Answer: " + right.text, "   ");
-    if (!right.reason.empty()) text += wrappedLines(right.reason, "     ");
-    return text;
-}
-
 std::string stepText(const Lesson& lesson, std::size_t number) {
     const LessonStep& step = lesson.steps[number];
     std::string text =
@@ -109,8 +103,9 @@ std::string lessonPage(const Lesson& lesson, LessonRuns* runs) {
         const std::optional<Question>& question = lesson.steps[i].question;
         if (!question || runs == nullptr) continue;
         const std::string place = fmt::format("{}:{}: ", lesson.name, question->lines.block);
-        page +=
-            rightAnswerText(require(teach::rightAnswer(lesson, i, *runs), ExitCode::Input, place));
+        const RightAnswer right =
+            require(teach::rightAnswer(lesson, i, *runs), ExitCode::Input, place);
+        page += wrappedLines("Answer: " + right.text, "   ") + wrappedLines(right.reason, "     ");
     }
     return page;
 }

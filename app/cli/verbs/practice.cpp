@@ -109,13 +109,6 @@ Answer solutionAnswer(const PracticeTask& task) {
     return answer;
 }
 
-std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& task) {
-    const bool piped = path == kStandardInput;
-    const std::string bytes =
-        require(readBytes(piped ? "/dev/stdin" : path, kTextLimit), ExitCode::Input);
-    return require(teach::readMoves(bytes, nameOfInput(path), task), ExitCode::Input);
-}
-
 Answer gradeAnswer(const PracticeGrade& grade, const std::vector<PlayMove>& moves,
                    const PracticeTask& task) {
     const std::size_t wrong = grade.rightMoves;
@@ -136,7 +129,10 @@ Answer gradeAnswer(const PracticeGrade& grade, const std::vector<PlayMove>& move
 
 ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask& task) {
     arguments.force.require({{"--answer", arguments.answer}}, {{"--result", arguments.result}});
-    const std::vector<PlayMove> moves = readAnswer(arguments.answer, task);
+    const std::string path = isStandardInput(arguments.answer) ? "/dev/stdin" : arguments.answer;
+    const std::string bytes = require(readBytes(path, kTextLimit), ExitCode::Input);
+    const std::vector<PlayMove> moves =
+        require(teach::readMoves(bytes, nameOfInput(arguments.answer), task), ExitCode::Input);
     const PracticeGrade grade = teach::gradePractice(task, moves);
     if (!arguments.result.empty()) {
         writeOutput(arguments.result, teach::resultJson(teach::practiceResult(moves, grade, task)));

@@ -252,27 +252,23 @@ void writeResult(const RunArguments& arguments, RunOutcome& outcome) {
 void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
     if (arguments.searchesPairs()) {
-        JudgedMesh judged = judgeMesh(points, mesh);
-        outcome.inspection = std::move(judged.inspection);
-        outcome.places = std::move(judged.places);
-        outcome.verdict = std::move(judged.verdict);
-        outcome.verdict.stopped = outcome.ending == StopReason::Capped;
+        outcome.judged = judgeMesh(points, mesh);
+        outcome.judged.verdict.stopped = outcome.ending == StopReason::Capped;
     } else if (!arguments.quiet) {
-        outcome.inspection = inspectLocally(points, mesh);
+        outcome.judged.inspection = inspectLocally(points, mesh);
     }
-    if (outcome.inspection) outcome.mesh = outcome.inspection->report;
 }
 
 /// Reason why a finished run fails `--check` and `--best` whatever its faults are; empty if there
 /// is none.
 std::string emptinessSentence(const RunOutcome& outcome) {
-    const std::size_t points = outcome.mesh.points;
-    if (outcome.mesh.triangles == 0)
+    const std::size_t points = outcome.mesh().points;
+    if (outcome.mesh().triangles == 0)
         return fmt::format("the run made no triangle of {}", counted(points, "point"));
     const std::size_t setAside = outcome.prepared.countAside();
-    if (setAside <= outcome.mesh.usedPoints) return {};
+    if (setAside <= outcome.mesh().usedPoints) return {};
     return fmt::format("more points were set aside ({}) than used ({})", setAside,
-                       outcome.mesh.usedPoints);
+                       outcome.mesh().usedPoints);
 }
 
 /// Tries changes of a spec, with the line of progress. Throws Failure as runWithProgress() does.
@@ -319,7 +315,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                       outcome.input, counted(outcome.state.mesh().size(), "triangle"));
     }
     const std::string faults = faultSentence(outcome);
-    const bool none = outcome.mesh.triangles == 0;
+    const bool none = outcome.mesh().triangles == 0;
     const std::string emptiness = none || arguments.check ? emptinessSentence(outcome) : "";
     if (!emptiness.empty() && (arguments.check || arguments.best))
         throw Failure(ExitCode::CheckFailed, "{}: {}", outcome.input, emptiness);
@@ -388,7 +384,8 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
     outcome.state.repair.near = {};
     inspect(arguments, prepared.points, outcome);
     if (arguments.faultFields)
-        setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
+        setFaultFields(file, prepared.points, outcome.state.mesh(),
+                       outcome.judged.inspection.failures);
     watch.lap();
     writeResult(arguments, outcome);
     if (trace) trace->commit();

@@ -45,8 +45,7 @@ std::string slug(std::string_view set) {
 struct TableArguments : AnswerOptions {
     std::string volumes;
     std::string save;
-    std::uint64_t seed = 1;
-    double curvature = 0.0;
+    SamplerOptions sampler;
     ByteLimit limit;
     ForceOption force;
     SpecOptions run;  ///< Rules and lists.
@@ -60,8 +59,8 @@ struct TableArguments : AnswerOptions {
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
         app.footer(rulesHelp());
-        addOption(app, "--seed", "S", seed, "Seed of the particles")->capture_default_str();
-        addOption(app, "--curvature", "X", curvature, "As in `spiraling-edge sample`")
+        addOption(app, "--seed", "S", sampler.seed, "Seed of the particles")->capture_default_str();
+        addOption(app, "--curvature", "X", sampler.curvature, "As in `spiraling-edge sample`")
             ->check(CLI::Range(0.0, 100.0));
         addOption(app, "--save", "DIR", save,
                   "Write the five sets of points into this folder, as PLY");
@@ -141,10 +140,8 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     made.source = surfaceOf(row.figure(), arguments.volumes);
     made.standIn = made.source.empty();
     if (made.standIn) made.source = row.standIn;
-    SamplerOptions options;
+    SamplerOptions options = arguments.sampler;
     options.count = row.figure().counts.points;
-    options.seed = arguments.seed;
-    options.curvature = arguments.curvature;
     const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
                                         options, made.source, line);
     if (!arguments.save.empty()) writeMeshOutput(arguments.savedPath(row).string(), file, {});
@@ -200,12 +197,12 @@ Answer tableAnswer(const std::vector<Made>& all, const TableArguments& arguments
     Answer answer{
         fmt::format("Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
                     "alone, the best of the runs within a second\n\n",
-                    spec.rules, reach, arguments.seed, arguments.curvature),
+                    spec.rules, reach, arguments.sampler.seed, arguments.sampler.curvature),
         {{"rules", spec.rules},
          {"neighbors", nearest != nullptr ? Json(nearest->k) : Json()},
          {"reach", within != nullptr ? Json(within->spacings) : Json()},
-         {"seed", arguments.seed},
-         {"curvature", arguments.curvature},
+         {"seed", arguments.sampler.seed},
+         {"curvature", arguments.sampler.curvature},
          {"sets", Json::array()}}};
     answer.text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
