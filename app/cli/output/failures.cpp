@@ -134,4 +134,3 @@ FailureChoice failureChoiceFrom(const std::string& text) {
 }
 
 }  // namespace se::cli
-

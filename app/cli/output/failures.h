@@ -63,4 +63,3 @@ const Listed& pickFailure(const std::vector<Listed>& list, KindOf kindOf,
 }
 
 }  // namespace se::cli
-

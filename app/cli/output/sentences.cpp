@@ -18,6 +18,38 @@ constexpr std::array kMeshDefects{
     MeshDefect{"flipped_triangles", "flipped triangle", &MeshReport::flippedTriangles},
 };
 
+std::string spacingSentence(const InputFacts& facts) {
+    if (facts.nearestMost == 0.0) return {};
+    return fmt::format("nearest point at {:g} on average, {:g} to {:g}{}", facts.nearestMean,
+                       facts.nearestLeast, facts.nearestMost,
+                       facts.across > 0.0 ? "; in lines: " + spacingText(facts) : "");
+}
+
+std::string normalsSentence(const InputFacts& facts, bool given) {
+    if (!facts.hasNormals) {
+        std::string text =
+            given ? "most are zero or not finite: a run derives all" : "none: a run derives them";
+        if (facts.unknownSides > 0)
+            text += "; " + unknownSidesText(facts.unknownSides, facts.sideParts);
+        return text;
+    }
+    std::string text = "yes";
+    if (facts.completedNormals > 0)
+        text +=
+            fmt::format(", but {} zero or not finite: a run derives these", facts.completedNormals);
+    if (!facts.normalsFit)
+        text += fmt::format(
+            "; they do not fit: {:.1f} degrees off the planes of the points in the median, {} of "
+            "{} "
+            "within 30",
+            facts.normalDegrees, facts.nearNormals, facts.measuredNormals);
+    if (facts.flippedNormals > 0)
+        text += fmt::format("; {} against those about them", facts.flippedNormals);
+    if (facts.unscaledNormals > 0)
+        text += fmt::format("; {} not of unit length", facts.unscaledNormals);
+    return text;
+}
+
 }  // namespace
 
 std::span<const MeshDefect> meshDefects() { return kMeshDefects; }
@@ -69,42 +101,6 @@ Json setAsideJson(const std::array<std::size_t, kAsides>& aside) {
         json[std::string(each.name)] = aside[static_cast<std::size_t>(each.reason)];
     return json;
 }
-
-namespace {
-
-std::string spacingSentence(const InputFacts& facts) {
-    if (facts.nearestMost == 0.0) return {};
-    return fmt::format("nearest point at {:g} on average, {:g} to {:g}{}", facts.nearestMean,
-                       facts.nearestLeast, facts.nearestMost,
-                       facts.across > 0.0 ? "; in lines: " + spacingText(facts) : "");
-}
-
-std::string normalsSentence(const InputFacts& facts, bool given) {
-    if (!facts.hasNormals) {
-        std::string text =
-            given ? "most are zero or not finite: a run derives all" : "none: a run derives them";
-        if (facts.unknownSides > 0)
-            text += "; " + unknownSidesText(facts.unknownSides, facts.sideParts);
-        return text;
-    }
-    std::string text = "yes";
-    if (facts.completedNormals > 0)
-        text +=
-            fmt::format(", but {} zero or not finite: a run derives these", facts.completedNormals);
-    if (!facts.normalsFit)
-        text += fmt::format(
-            "; they do not fit: {:.1f} degrees off the planes of the points in the median, {} of "
-            "{} "
-            "within 30",
-            facts.normalDegrees, facts.nearNormals, facts.measuredNormals);
-    if (facts.flippedNormals > 0)
-        text += fmt::format("; {} against those about them", facts.flippedNormals);
-    if (facts.unscaledNormals > 0)
-        text += fmt::format("; {} not of unit length", facts.unscaledNormals);
-    return text;
-}
-
-}  // namespace
 
 void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer) {
     answer.json["facts"] = inputFactsJson(facts);

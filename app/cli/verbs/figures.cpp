@@ -62,20 +62,18 @@ std::string ruleText(const Figure& figure) {
 
 std::string headText(const Figure& figure) {
     std::string text = fmt::format("{}\n  {}\n", figure.scene.title, figure.scene.watch);
-    if (figure.hasScene()) {
-        text += fmt::format("  open     {} --goto {}\n", sourceOf(figure), figure.scene.address);
-    } else {
-        const std::string source = sourceOf(figure);
+    const std::string source = sourceOf(figure);
+    if (!figure.hasScene()) {
         text += source.empty() ? fmt::format("  needs    the volume {}\n", figure.volume)
                                : fmt::format("  open     {} (in the viewer)\n", source);
-        text += fmt::format("  table 1  {} points, {} triangles\n", figure.counts.points,
-                            figure.counts.triangles);
+        return text + fmt::format("  table 1  {} points, {} triangles\n", figure.counts.points,
+                                  figure.counts.triangles);
     }
+    text += fmt::format("  open     {} --goto {}\n", source, figure.scene.address);
     if (!figure.names.empty()) text += fmt::format("  points   {}\n", namesText(figure));
-    if (!figure.hasScene()) return text;
     text += fmt::format("  without  {}: {}\n", ruleText(figure), figure.absence);
     if (!figure.without.empty() && !figure.without.front().outcome.empty()) {
-        text += fmt::format("  seen     {} {} --goto {}\n", sourceOf(figure), ruleText(figure),
+        text += fmt::format("  seen     {} {} --goto {}\n", source, ruleText(figure),
                             figure.without.front().address);
     }
     return text;

@@ -13,11 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kViewerName = "spiraling-edge-viewer";
-
 /// Replaces this process by the viewer. Throws if the viewer is missing.
 [[noreturn]] void becomeViewer(Arguments arguments) {
-    const fs::path viewer = os::programPath().parent_path() / kViewerName;
+    const fs::path viewer = os::programPath().parent_path() / "spiraling-edge-viewer";
     os::becomeProgram(viewer, std::move(arguments));
     throw Failure(ExitCode::NoDisplay,
                   "cannot start the viewer: {} does not exist. Install the package "

@@ -193,19 +193,13 @@ struct RunArguments {
     }
 };
 
-/// Share of the points that are DONE, in [0, 1].
-double shareDone(const State& state) {
-    const auto done = std::count(state.status.begin(), state.status.end(), kDone);
-    return state.status.empty()
-               ? 1.0
-               : static_cast<double>(done) / static_cast<double>(state.status.size());
-}
-
-/// Called between pivots: updates the progress line now and then.
+/// Called between pivots: updates the progress line, the share of the points that are DONE, now and
+/// then. Requires points.
 void reportProgress(const State& state, ProgressLine& line) {
     constexpr std::uint32_t kAskEvery = 64;
-    if (state.counters.pivots % kAskEvery == 0 && line.due())
-        line.write("points done", shareDone(state));
+    if (state.counters.pivots % kAskEvery != 0 || !line.due()) return;
+    const auto done = std::count(state.status.begin(), state.status.end(), kDone);
+    line.write("points done", static_cast<double>(done) / static_cast<double>(state.status.size()));
 }
 
 /// The whole run without events, the fastest way.

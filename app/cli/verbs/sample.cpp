@@ -93,13 +93,6 @@ Answer shapesAnswer() {
     return answer;
 }
 
-/// Lists of the k nearest points, as `run` would compute them.
-void addNeighbors(std::size_t k, PointFile& file) {
-    PrepareOptions options;
-    options.neighbors.reach = KNearest{k};
-    file.neighbors = require(prepare(file, options), ExitCode::Internal).points.neighbors;
-}
-
 std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,
                     double seconds) {
     const std::size_t walls = countOfType(file, isBoundary);
@@ -136,7 +129,11 @@ ExitCode sampleVerb(CLI::App& app, const Arguments& words) {
     StopWatch watch;
     PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);
     const double seconds = watch.lap();
-    if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
+    if (arguments.neighbors > 0) {  // As `run` would compute them.
+        PrepareOptions options;
+        options.neighbors.reach = KNearest{arguments.neighbors};
+        file.neighbors = require(prepare(file, options), ExitCode::Internal).points.neighbors;
+    }
     // The normals are half the result.
     writeMeshOutput(arguments.output, file, {}, {.normals = true});
     if (arguments.quiet) return ExitCode::Good;
