@@ -65,13 +65,11 @@ struct DoctorArguments : AnswerOptions {
 
 /// Result of the examination and of the fixes.
 struct Visit {
-    std::string input;
-    std::string inputWords;  ///< The input in commands: quoted, with the options of a piece.
+    const DoctorArguments& arguments;
     const InputPiece& read;
     Diagnosis findings;
-    std::string output;  ///< Empty if nothing was written.
-    FixedFile fixed;
-    Diagnosis left;  ///< Findings that the written file still has.
+    FixedFile fixed = {};  ///< With --fix.
+    Diagnosis left = {};   ///< Findings that the written file still has.
 };
 
 /// Leaves out factors for points that are scaled already: one option has one value, and degrees are
@@ -147,9 +145,9 @@ Answer findingsAnswer(const Diagnosis& diagnosis, const std::string& input) {
 
 /// Adds what was fixed, and what is left.
 void addFixed(const Visit& visit, Answer& answer) {
+    const std::string& output = visit.arguments.fixed;
     const std::size_t points = visit.fixed.file.position.size();
-    answer.text +=
-        fmt::format("{}: written, {}\n", printable(visit.output), counted(points, "point"));
+    answer.text += fmt::format("{}: written, {}\n", printable(output), counted(points, "point"));
     Json fixes = Json::array();
     for (const AppliedFix& fix : visit.fixed.fixes) {
         answer.text += "  fixed    " + fix.text + "\n";
@@ -159,10 +157,10 @@ void addFixed(const Visit& visit, Answer& answer) {
         if (finding.isProblem())
             answer.text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
     }
-    answer.json["fixed"] = {{"output", visit.output},
+    answer.json["fixed"] = {{"output", output},
                             {"points", points},
                             {"repairs", fixes},
-                            {"findings", findingsAnswer(visit.left, shellPath(visit.output)).json}};
+                            {"findings", findingsAnswer(visit.left, shellPath(output)).json}};
 }
 
 /// A line on commands that were not tried; empty if all were.
@@ -178,11 +176,13 @@ Answer visitAnswer(const Visit& visit) {
     const InputFacts& facts = visit.findings.facts;
     const std::string size = sizeText(facts);
     const std::string kept = keptSentence(visit.read);
-    const Answer found = findingsAnswer(visit.findings, visit.inputWords);
-    Answer answer{fmt::format("{}: {}{}{}, {}\n", printable(visit.input),
+    const RunSpec& spec = visit.arguments.input.spec();
+    const std::string words = shellPath(spec.source) + optionsText(spec, {SpecGroup::Reading});
+    const Answer found = findingsAnswer(visit.findings, words);
+    Answer answer{fmt::format("{}: {}{}{}, {}\n", printable(spec.source),
                               counted(visit.read.kept, "point"), size.empty() ? "" : ", ", size,
                               count == 0 ? "nothing found" : counted(count, "finding")),
-                  {{"input", visit.input},
+                  {{"input", spec.source},
                    {"points", visit.read.kept},
                    {"piece", keptJson(visit.read)},
                    {"facts", inputFactsJson(facts)},
@@ -191,8 +191,10 @@ Answer visitAnswer(const Visit& visit) {
                    {"fixed", Json()}}};
     if (!kept.empty()) answer.text += "  kept     " + kept + "\n";
     answer.text += found.text;
-    if (visit.output.empty()) answer.text += untriedText(visit.findings);
-    if (!visit.output.empty()) addFixed(visit, answer);
+    if (visit.arguments.fixed.empty())
+        answer.text += untriedText(visit.findings);
+    else
+        addFixed(visit, answer);
     return answer;
 }
 
@@ -221,13 +223,7 @@ ExitCode doctorVerb(CLI::App& app, const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     const InputPiece read = readPiece(spec);
     const PointFile& file = read.file;
-    Visit visit{arguments.input.input(),
-                shellPath(spec.source) + optionsText(spec, {SpecGroup::Reading}),
-                read,
-                examineInput(file, arguments.input.input(), line),
-                arguments.fixed,
-                {},
-                {}};
+    Visit visit{arguments, read, examineInput(file, spec.source, line)};
     if (spec.piece.isScaled()) dropFactors(visit.findings);
     if (arguments.fixed.empty()) tryCommands(arguments, file, line, visit.findings);
     if (!arguments.fixed.empty()) {
