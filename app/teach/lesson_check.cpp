@@ -386,7 +386,7 @@ class StepCheck {
         std::string found;
         for (const RunAnswer& row : runAnswers()) {
             if (row.kind != kind.name) continue;
-            const Result<Answer> answer = kind.fromRun(row.find(range), context);
+            const Result<Answer> answer = row.find(range, context);
             if (answer && kind.grade(typed, answer.value(), question).right) return true;
             found += (found.empty() ? "" : "; ") + std::string(row.name) + ": " +
                      (answer ? kind.text(answer.value(), context) : answer.error().message);

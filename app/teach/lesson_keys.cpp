@@ -17,7 +17,6 @@
 #include "json_text.h"
 #include "lesson_setting.h"
 #include "question.h"
-#include "run_answers.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"

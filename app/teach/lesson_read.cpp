@@ -8,7 +8,7 @@
 #include "file_bytes.h"
 #include "lesson_keys.h"
 #include "markdown_tree.h"
-#include "run_answers.h"
+#include "question.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 

@@ -193,7 +193,7 @@ Result<RightAnswer> rightAnswer(const Lesson& lesson, std::size_t step, LessonRu
     Result<RunRange> range = rangeOf(*cursor.value(), setting, question);
     if (!range) return range.error();
     const RunAnswer* source = findRunAnswer(question.answer);
-    Result<Answer> answer = source != nullptr ? kind->fromRun(source->find(range.value()), context)
+    Result<Answer> answer = source != nullptr ? source->find(range.value(), context)
                                               : kind->read(question.typed, context);
     if (!answer) return answer.error();
     RightAnswer right{std::move(answer.value()), {}, {}, std::move(range.value().events)};

@@ -10,6 +10,8 @@
 #include "lesson_setting.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/why/figure_check.h"
 
 namespace se::teach {
 namespace {
@@ -38,15 +40,6 @@ Result<Answer> readPoints(const Words& words, const QuestionContext& context) {
 Result<Answer> readPoint(const Words& words, const QuestionContext& context) {
     if (words.size() != 1) return Error{"expected one point"};
     return readPoints(words, context);
-}
-
-Result<Answer> pointsOfRun(const RunValue& value, const QuestionContext&) {
-    return Answer{.points = sortedSet(value.points)};
-}
-
-Result<Answer> pointOfRun(const RunValue& value, const QuestionContext& context) {
-    if (value.points.size() != 1) return Error{"the run names no point there"};
-    return pointsOfRun(value, context);
 }
 
 /// The grade of an answer that has no parts.
@@ -89,17 +82,6 @@ Result<Answer> readChoice(const Words& words, const QuestionContext& context) {
     return answer;
 }
 
-Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context) {
-    const Words& verdicts =
-        context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
-    const auto isThat = [&](const std::string& words) { return isOutcome(words, value.outcome); };
-    if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
-        return Error{"the outcome is " + inQuotes(value.outcome) +
-                     ", which is not one of the options"};
-    const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
-    return Answer{.choice = static_cast<std::size_t>(found - verdicts.begin())};
-}
-
 Grade gradeChoice(const Answer& given, const Answer& right, const Question&) {
     return wholeGrade(given.choice.has_value() && given.choice == right.choice);
 }
@@ -118,11 +100,6 @@ Result<Answer> readNumberAnswer(const Words& words, const QuestionContext&) {
     if (!answer.number || !std::isfinite(*answer.number))
         return Error{excerpt(words.front()) + ": expected a number"};
     return answer;
-}
-
-Result<Answer> numberOfRun(const RunValue& value, const QuestionContext&) {
-    if (!value.number) return Error{"the run has no number there"};
-    return Answer{.number = value.number};
 }
 
 Grade gradeNumber(const Answer& given, const Answer& right, const Question& question) {
@@ -146,15 +123,6 @@ Result<Answer> readPlay(const Words& words, const QuestionContext& context) {
         answer.moves.push_back(std::move(move.value()));
     }
     return answer;
-}
-
-Result<Answer> playOfRun(const RunValue& value, const QuestionContext&) {
-    if (value.moves.empty()) {
-        return Error{
-            "no pivot is played there; `at` has to be where an interior pivot begins, "
-            "such as 9.pivot.1"};
-    }
-    return Answer{.moves = value.moves};
 }
 
 Grade gradePlay(const Answer& given, const Answer& right, const Question&) {
@@ -186,17 +154,153 @@ std::string textOfPlay(const Answer& answer, const QuestionContext& context) {
 
 constexpr std::array kQuestionKinds{
     QuestionKind{"points", "Mark a set of points.",
-                 "a list of points, or \"refused\", \"kept\" or \"fan\"", readPoints, pointsOfRun,
-                 gradePoints, textOfPoints},
+                 "a list of points, or \"refused\", \"kept\" or \"fan\"", readPoints, gradePoints,
+                 textOfPoints},
     QuestionKind{"point", "Mark one point.", "a point, or \"next\", \"start\" or \"end\"",
-                 readPoint, pointOfRun, gradePoint, textOfPoints},
+                 readPoint, gradePoint, textOfPoints},
     QuestionKind{"choice", "Choose one of A to D.", "a letter, or \"verdict\"", readChoice,
-                 choiceOfRun, gradeChoice, textOfChoice},
+                 gradeChoice, textOfChoice},
     QuestionKind{"number", "Give a number.", "a number, or \"count:triangles\" and the like",
-                 readNumberAnswer, numberOfRun, gradeNumber, textOfNumber},
+                 readNumberAnswer, gradeNumber, textOfNumber},
     QuestionKind{"play", "Play the whole pivot: start, end, keep, remove, fan, next.",
-                 "a list of moves such as \"keep q\", or \"moves\"", readPlay, playOfRun, gradePlay,
+                 "a list of moves such as \"keep q\", or \"moves\"", readPlay, gradePlay,
                  textOfPlay},
+};
+
+// ---- answers of a run ----
+
+/// True for a neighbor that was left out by a fact before any test: DONE, or first or last itself.
+bool isSettled(const CandidateMark& mark) {
+    return mark.verdict == Verdict::AlreadyDone || mark.verdict == Verdict::OnRingEnd;
+}
+
+std::vector<Index> candidatesIn(const DecisionState& state, CandidateState which) {
+    std::vector<Index> points;
+    for (const CandidateMark& mark : state.candidates) {
+        if (mark.state == which && !isSettled(mark)) points.push_back(mark.point);
+    }
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+/// The points refused after the first position, up to the second.
+std::vector<Index> refusedIn(const RunRange& range) {
+    const std::vector<Index> before = candidatesIn(range.before, CandidateState::Rejected);
+    const std::vector<Index> after = candidatesIn(range.after, CandidateState::Rejected);
+    std::vector<Index> points;
+    std::set_difference(after.begin(), after.end(), before.begin(), before.end(),
+                        std::back_inserter(points));
+    return points;
+}
+/// The neighbors that are left at the second position.
+std::vector<Index> keptIn(const RunRange& range) {
+    return candidatesIn(range.after, CandidateState::Kept);
+}
+
+Result<Answer> refusedPoints(const RunRange& range, const QuestionContext&) {
+    return Answer{.points = sortedSet(refusedIn(range))};
+}
+Result<Answer> keptPoints(const RunRange& range, const QuestionContext&) {
+    return Answer{.points = sortedSet(keptIn(range))};
+}
+Result<Answer> fanPoints(const RunRange& range, const QuestionContext&) {
+    std::vector<Index> points;
+    for (const RingPoint& each : range.after.fan()) points.push_back(each.point);
+    return Answer{.points = sortedSet(std::move(points))};
+}
+
+Result<Answer> onePoint(Index point) {
+    if (point == kNone) return Error{"the run names no point there"};
+    return Answer{.points = {point}};
+}
+Result<Answer> nextPivot(const RunRange& range, const QuestionContext&) {
+    for (const Event& event : range.events) {
+        if (const auto* advance = as<AdvanceEvidence>(event); advance && advance->to != kNone)
+            return onePoint(advance->to);
+    }
+    return onePoint(kNone);
+}
+Result<Answer> startPoint(const RunRange& range, const QuestionContext&) {
+    return onePoint(range.after.start);
+}
+Result<Answer> endPoint(const RunRange& range, const QuestionContext&) {
+    return onePoint(range.after.end);
+}
+
+Result<Answer> verdictThere(const RunRange& range, const QuestionContext& context) {
+    const Words& verdicts =
+        context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
+    const std::string outcome = range.events.empty() ? "" : outcomeText(range.events.back());
+    const auto isThat = [&](const std::string& words) { return isOutcome(words, outcome); };
+    if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
+        return Error{"the outcome is " + inQuotes(outcome) + ", which is not one of the options"};
+    const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
+    return Answer{.choice = static_cast<std::size_t>(found - verdicts.begin())};
+}
+
+Result<Answer> playedMoves(const RunRange& range, const QuestionContext&) {
+    // Within a pivot its first decisions are known already.
+    const bool isWithin = !range.before.candidates.empty() && !range.before.complete;
+    Answer answer;
+    if (!isWithin) answer.moves = movesOf(movesOfRun(range.events));
+    if (!answer.moves.empty()) return answer;
+    return Error{
+        "no pivot is played there; `at` has to be where an interior pivot begins, "
+        "such as 9.pivot.1"};
+}
+
+/// A number that a run has, as an answer.
+template <std::size_t (*count)(const RunRange&)>
+Result<Answer> numberOf(const RunRange& range, const QuestionContext&) {
+    return Answer{.number = static_cast<double>(count(range))};
+}
+/// The triangles made between the positions.
+std::size_t triangleCount(const RunRange& range) {
+    return range.trianglesAfter - std::min(range.trianglesBefore, range.trianglesAfter);
+}
+/// How many points enter the edge ring, or leave it.
+template <bool kInserted>
+std::size_t ringChanges(const RunRange& range) {
+    return static_cast<std::size_t>(
+        std::count_if(range.events.begin(), range.events.end(), [](const Event& event) {
+            const auto* ring = as<RingEvidence>(event);
+            return ring != nullptr && ring->inserted == kInserted;
+        }));
+}
+std::size_t refusedCount(const RunRange& range) { return refusedIn(range).size(); }
+std::size_t keptCount(const RunRange& range) { return keptIn(range).size(); }
+
+/// Entries of a ring; 0 without one.
+std::size_t lengthOf(std::span<const RingPath> rings) {
+    return rings.empty() ? 0 : rings.front().points.size();
+}
+std::size_t activeLength(const RunRange& range) {
+    const std::vector<RingPath>& rings = range.after.rings;
+    return lengthOf({rings.data(), rings.size() - stackedCount(rings)});
+}
+std::size_t stackedLength(const RunRange& range) {
+    const std::span<const RingPath> rings = range.after.rings;
+    return lengthOf(rings.last(stackedCount(rings)));
+}
+std::size_t ringCount(const RunRange& range) { return range.after.rings.size(); }
+
+constexpr std::array kRunAnswers{
+    RunAnswer{"refused", "points", refusedPoints},
+    RunAnswer{"kept", "points", keptPoints},
+    RunAnswer{"fan", "points", fanPoints},
+    RunAnswer{"next", "point", nextPivot},
+    RunAnswer{"start", "point", startPoint},
+    RunAnswer{"end", "point", endPoint},
+    RunAnswer{"verdict", "choice", verdictThere},
+    RunAnswer{"moves", "play", playedMoves},
+    RunAnswer{"count:triangles", "number", numberOf<triangleCount>},
+    RunAnswer{"count:enter", "number", numberOf<ringChanges<true>>},
+    RunAnswer{"count:leave", "number", numberOf<ringChanges<false>>},
+    RunAnswer{"count:refused", "number", numberOf<refusedCount>},
+    RunAnswer{"count:kept", "number", numberOf<keptCount>},
+    RunAnswer{"count:ring", "number", numberOf<activeLength>},
+    RunAnswer{"count:stack", "number", numberOf<stackedLength>},
+    RunAnswer{"count:rings", "number", numberOf<ringCount>},
 };
 
 }  // namespace
@@ -228,6 +332,27 @@ std::optional<std::size_t> rightOption(const QuestionContext& context, const Ans
     }
     return found;
 }
+
+bool isOutcome(std::string_view words, std::string_view outcome) {
+    if (words.empty() || !outcome.starts_with(words)) return words == outcome;
+    const std::string_view rest = outcome.substr(words.size());
+    return rest.empty() || rest.front() == ' ' || rest.front() == ',';
+}
+
+bool isPossibleOutcome(std::string_view words) {
+    const std::vector<std::string_view> known = outcomeWords();
+    return std::any_of(known.begin(), known.end(), [&](std::string_view each) {
+        if (isOutcome(words, each)) return true;
+        // As in "splits into 19 and 13", "leaves, DONE".
+        const std::string_view rest = words.substr(std::min(each.size(), words.size()));
+        return isOutcome(each, words) &&
+               (rest == ", DONE" || rest.find_first_of("0123456789") != std::string_view::npos);
+    });
+}
+
+std::span<const RunAnswer> runAnswers() { return kRunAnswers; }
+
+const RunAnswer* findRunAnswer(std::string_view name) { return findNamed(kRunAnswers, name); }
 
 std::string optionLetter(std::size_t option) {
     return std::string(1, static_cast<char>('A' + static_cast<int>(option)));

@@ -1,4 +1,5 @@
-/// Kinds of questions: how an answer is read, written and graded. A new kind is a row with its
+/// Kinds of questions: how an answer is read, written and graded; and the answers that a run gives:
+/// refused, kept, next, fan, verdict and counts. A new kind, or answer, is a row with its
 /// functions.
 #pragma once
 
@@ -10,8 +11,8 @@
 
 #include "lesson.h"
 #include "play_moves.h"
-#include "run_answers.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/run/run_cursor.h"
 
 namespace se::teach {
 
@@ -47,8 +48,6 @@ struct QuestionKind {
     /// Reads an answer as it is typed: words of points, a number, a letter or the text of an
     /// option.
     Result<Answer> (*read)(const std::vector<std::string>& words, const QuestionContext& context);
-    /// The answer that a run gives. Fails if no option, or more than one, is that of the run.
-    Result<Answer> (*fromRun)(const RunValue& value, const QuestionContext& context);
     Grade (*grade)(const Answer& given, const Answer& right, const Question& question);
     /// "q, 31"; "B: It lies inside."; "118"
     std::string (*text)(const Answer& answer, const QuestionContext& context);
@@ -63,6 +62,30 @@ Grade gradeAnswer(const Question& question, const Answer& given, const Answer& r
 /// The option, from 0, that is the right answer; nothing if there is none. For a room, which
 /// chooses among options whatever the kind of the question.
 std::optional<std::size_t> rightOption(const QuestionContext& context, const Answer& right);
+
+/// The part of a run between the position of a question and that of its answer.
+struct RunRange {
+    DecisionState before;
+    DecisionState after;
+    std::vector<Event> events;  ///< After the first position, up to the second.
+    std::size_t trianglesBefore = 0, trianglesAfter = 0;
+};
+
+/// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".
+bool isOutcome(std::string_view words, std::string_view outcome);
+/// True if some decision can have that outcome.
+bool isPossibleOutcome(std::string_view words);
+
+/// One row of the table of answers that a run gives.
+struct RunAnswer {
+    std::string_view name;  ///< "refused"
+    std::string_view kind;  ///< The kind of question that it answers.
+    /// Fails if the run has no such answer there, or if no option, or more than one, is it.
+    Result<Answer> (*find)(const RunRange& range, const QuestionContext& context);
+};
+std::span<const RunAnswer> runAnswers();
+/// Null if there is none of that name.
+const RunAnswer* findRunAnswer(std::string_view name);
 
 /// "A", "B", ...
 std::string optionLetter(std::size_t option);

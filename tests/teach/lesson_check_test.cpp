@@ -14,7 +14,7 @@
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_skeleton.h"
-#include "teach/run_answers.h"
+#include "teach/question.h"
 
 namespace se::teach {
 namespace {
