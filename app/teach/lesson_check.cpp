@@ -34,7 +34,7 @@ struct ClaimedRun {
 /// The runs of a step: its own, A, and that of its `compare`, B.
 struct ClaimedRuns {
     ClaimedRun a;
-    std::optional<ClaimedRun> b;
+    const std::optional<ClaimedRun>& b;
     const std::vector<NamedPoint>& names;
 };
 
@@ -263,40 +263,26 @@ class StepCheck {
         const Result<RunCursor*> b =
             runs_.cursorOf(setting_, otherRun(spec.value(), change.value()));
         if (!b) return malformed(step_.lines, "compare", b.error().message);
-        compared_ = b.value();
+        compared_.emplace(claimedRun(*b.value()));
         return true;
     }
 
     bool checkCompared() {
         if (step_.compare.empty()) return true;
         if (!openCompared()) return false;
-        const Result<MadeMesh> meshA = meshOf(*cursor_);
-        const Result<MadeMesh> meshB = meshOf(*compared_);
-        if (!meshA || !meshB) return malformed(step_.lines, "compare", "the run was stopped");
-        const MeshDifference difference =
-            compareMeshes(cursor_->timeline().points().position, meshA.value().triangles,
-                          meshB.value().triangles);
-        return !difference.same() ||
+        const ClaimedRun a = claimedRun(*cursor_);
+        return !compareMeshes(a.points.position, a.mesh, compared_->mesh).same() ||
                disagrees(step_.lines, "compare", "both runs make the same triangles");
     }
 
-    Result<ClaimedRun> claimedRun(const RunCursor& cursor) const {
-        const Result<MadeMesh> mesh = meshOf(cursor);
-        if (!mesh) return mesh.error();
-        return ClaimedRun{cursor.timeline().points(), cursor.timeline().params(),
-                          mesh.value().triangles};
+    static ClaimedRun claimedRun(const RunCursor& cursor) {
+        const ComparedRun run{cursor.timeline().points(), cursor.timeline().params()};
+        return {run.points, run.params, makeMesh(run).value().triangles};  // It cannot be canceled.
     }
 
     bool checkFacts() {
         if (step_.facts.empty()) return true;
-        Result<ClaimedRun> a = claimedRun(*cursor_);
-        if (!a) return malformed(step_.lines, "facts", a.error().message);
-        ClaimedRuns runs{std::move(a.value()), std::nullopt, setting_.names};
-        if (compared_ != nullptr) {
-            Result<ClaimedRun> b = claimedRun(*compared_);
-            if (!b) return malformed(step_.lines, "facts", b.error().message);
-            runs.b.emplace(std::move(b.value()));
-        }
+        const ClaimedRuns runs{claimedRun(*cursor_), compared_, setting_.names};
         const std::string& intro = number_ == 0 ? lesson_.text : std::string();
         std::string text = singleBlanks(intro + " " + step_.title + " " + step_.text);
         if (step_.question) {
@@ -331,10 +317,6 @@ class StepCheck {
         std::string message = text + ": it is ";
         appendNumber(message, value);
         return fault(FaultSort::Disagrees, line, "facts", message);
-    }
-
-    static Result<MadeMesh> meshOf(const RunCursor& cursor) {
-        return makeMesh({cursor.timeline().points(), cursor.timeline().params()});
     }
 
     /// The words of a typed answer that name points.
@@ -410,7 +392,7 @@ class StepCheck {
     LessonRuns& runs_;
     std::vector<LessonFault>& faults_;
     RunCursor* cursor_ = nullptr;
-    RunCursor* compared_ = nullptr;  ///< Null if the step compares no other run.
+    std::optional<ClaimedRun> compared_;  ///< Nothing if the step compares no other run.
 };
 
 bool isSameFault(const LessonFault& a, const LessonFault& b) {
