@@ -233,25 +233,21 @@ bool readPlay(const toml::node& node, LessonStep& step) {
     if (blank == std::string::npos || !text.ends_with("/s")) return false;
     PlaySpeed play{text.substr(0, blank), 0.0};
     const std::string digits = text.substr(blank + 1, text.size() - blank - 3);
-    const bool isPlain = !digits.empty() && digits.size() <= 4 &&
-                         digits.find_first_not_of("0123456789.") == std::string::npos &&
-                         std::count(digits.begin(), digits.end(), '.') <= 1 && digits != ".";
-    if (!isPlain) return false;
-    play.perSecond = std::stod(digits);
+    if (digits.size() > 4 || digits.find_first_not_of("0123456789.") != std::string::npos)
+        return false;
+    play.perSecond = numberIn<double>(digits).value_or(0.0);
     step.play = play;
     return play.perSecond > 0.0 &&
            std::find(kUnits.begin(), kUnits.end(), play.unit) != kUnits.end();
 }
 
+/// A text that names no answer of the run is the answer itself.
 bool readAnswer(const toml::node& node, Question& question) {
-    return node.is_string() ? readValue(node, question.answer) : readValue(node, question.typed);
-}
-
-bool readDecimalAnswer(const toml::node& node, Question& question) {
-    if (!node.is_floating_point()) return readAnswer(node, question);
-    std::string text;
-    appendNumber(text, node.as_floating_point()->get());
-    question.typed = {text};
+    const auto* text = node.as_string();
+    if (text != nullptr && (text->get().empty() || findRunAnswer(text->get()) != nullptr))
+        return readValue(node, question.answer);
+    if (!node.is_floating_point()) return readValue(node, question.typed);
+    appendNumber(question.typed.emplace_back(), node.as_floating_point()->get());
     return true;
 }
 
@@ -307,7 +303,7 @@ constexpr std::array kAskKeys{
     KeyRow<Question>{"kind", kKind, readSort<&Question::kind, isKind>},
     KeyRow<Question>{"at", kPlace, readPlace<&Question::at>},
     KeyRow<Question>{"until", kPlace, readPlace<&Question::until>},
-    KeyRow<Question>{"answer", "a text, a number, or a list of points", readDecimalAnswer},
+    KeyRow<Question>{"answer", "a text, a number, or a list of points", readAnswer},
     KeyRow<Question>{"options", "a list of texts, A to D", read<&Question::options>},
     KeyRow<Question>{"verdicts", "for each option the outcome for which it is right",
                      read<&Question::verdicts>},

@@ -8,27 +8,14 @@
 #include "file_bytes.h"
 #include "lesson_keys.h"
 #include "markdown_tree.h"
-#include "question.h"
 #include "spiraling_edge/base/files.h"
-#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::teach {
 namespace {
 
 /// The folder of a lesson; nothing for one that is not a file.
 using Folder = std::optional<std::filesystem::path>;
-
-std::vector<std::string_view> linesOf(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
 
 std::string plainText(cmark_node* heading) {
     std::string text;
@@ -48,19 +35,16 @@ std::string_view refusalOf(std::string_view path, const Folder& folder) {
                                     : kOutside;
 }
 
-/// A text that names no answer of the run is the answer itself.
-void separateTypedAnswer(Question& question) {
-    if (question.answer.empty() || findRunAnswer(question.answer) != nullptr) return;
-    question.typed = {question.answer};
-    question.answer.clear();
-}
-
 class LessonReader {
   public:
     LessonReader(std::string_view text, const std::string& name, Folder folder)
-        : lines_(linesOf(text)), folder_(std::move(folder)) {
+        : folder_(std::move(folder)) {
         lesson_.name = name;
         lesson_.hash = hashOfText(text);
+        for (io::LineReader lines(text); lines.next();) {
+            lines_.push_back(lines.line());
+            if (lines_.back().ends_with('\r')) lines_.back().remove_suffix(1);
+        }
     }
 
     LessonReading read(cmark_node* root) {
@@ -102,44 +86,35 @@ class LessonReader {
     }
 
     void takeBlock(cmark_node* node) {
-        const std::string_view word = std::string_view(cmark_node_get_fence_info(node)).substr(2);
+        const std::string info = cmark_node_get_fence_info(node);
         const LessonBlock block{cmark_node_get_literal(node), lineOf(node)};
-        if (word == " lesson") {
-            takeLessonBlock(block);
-        } else if (word == " step") {
-            takeStepBlock(block);
-        } else if (word == " ask") {
-            takeAskBlock(block);
-        } else {
-            add(block.line, "", "expected `se lesson`, `se step` or `se ask`");
-        }
-    }
-    void takeLessonBlock(const LessonBlock& block) {
-        if (lesson_.lines.block != 0) {
-            add(block.line, "", "a second `se lesson`: a file has one");
-        } else if (!lesson_.steps.empty()) {
-            add(block.line, "", "`se lesson` stands before the first step");
-        } else {
+        if (std::string fault = misplacement(info); !fault.empty()) {
+            add(block.line, "", std::move(fault));
+        } else if (info == "se lesson") {
             readLessonBlock(block, lesson_, faults_);
-        }
-    }
-    void takeStepBlock(const LessonBlock& block) {
-        if (lesson_.steps.empty()) {
-            add(block.line, "", "`se step` before the first step: begin one with `## Title`");
-        } else if (lesson_.steps.back().lines.block != lesson_.steps.back().line) {
-            add(block.line, "", "a second `se step` in this step: begin another with `## Title`");
-        } else {
+        } else if (info == "se step") {
             readStepBlock(block, lesson_.steps.back(), faults_);
-        }
-    }
-    void takeAskBlock(const LessonBlock& block) {
-        if (lesson_.steps.empty()) {
-            add(block.line, "", "`se ask` before the first step: begin one with `## Title`");
-        } else if (lesson_.steps.back().question) {
-            add(block.line, "", "a second question in this step: begin another with `## Title`");
         } else {
             readAskBlock(block, lesson_.steps.back().question.emplace(), faults_);
         }
+    }
+
+    /// Why a block may not stand here; empty if it may.
+    std::string misplacement(const std::string& info) const {
+        if (info == "se lesson") {
+            if (lesson_.lines.block != 0) return "a second `se lesson`: a file has one";
+            return lesson_.steps.empty() ? "" : "`se lesson` stands before the first step";
+        }
+        if (info != "se step" && info != "se ask")
+            return "expected `se lesson`, `se step` or `se ask`";
+        if (lesson_.steps.empty())
+            return "`" + info + "` before the first step: begin one with `## Title`";
+        const LessonStep& step = lesson_.steps.back();
+        if (info == "se step" && step.lines.block != step.line)
+            return "a second `se step` in this step: begin another with `## Title`";
+        if (info == "se ask" && step.question)
+            return "a second question in this step: begin another with `## Title`";
+        return {};
     }
 
     void takeText(cmark_node* node) {
@@ -185,10 +160,8 @@ class LessonReader {
             lesson_.steps.resize(kMaxLessonSteps);
         }
         requireInside(lesson_.input, lesson_.lines.of("input"));
-        for (LessonStep& step : lesson_.steps) {
+        for (const LessonStep& step : lesson_.steps)
             requireInside(step.input, step.lines.of("input"));
-            if (step.question) separateTypedAnswer(*step.question);
-        }
         if (lesson_.lines.block != 0) {
             for (LessonFault& each : syntaxFaults(lesson_)) {
                 const bool isKnown =
