@@ -111,6 +111,11 @@ GivenStart ringOfTwo() {
     return start;
 }
 
+ConformanceInput cloudInput(std::string_view name, std::string_view shows,
+                            const CloudShape& shape) {
+    return {name, shows, [=] { return cloudPoints(shape); }};
+}
+
 /// Inputs for rules that no figure and no sample of a surface shows.
 std::vector<ConformanceInput> rareInputs() {
     return {
@@ -120,22 +125,14 @@ std::vector<ConformanceInput> rareInputs() {
          openHole},
         {"ring-of-two", "The sector in a ring of two is a full turn", findScene("figure-6")->build,
          ringOfTwo},
-        {"cloud-holes", "Holes of three whose plane follows three normals",
-         [] {
-             return cloudPoints({2683, 15, 64, 1.0, 1.0, 8});
-         }},
-        {"cloud-half-turn", "No move of start across 180 degrees",
-         [] {
-             return cloudPoints({7291, 18, 64, 0.5, 1.0, 11});
-         }},
-        {"cloud-entries", "A second ring entry whose sector holds the pivot",
-         [] {
-             return cloudPoints({1340, 16, 64, 1.0, 1.0, 10});
-         }},
-        {"cloud-in-line", "The neighbors beside a candidate lie in line with the pivot",
-         [] {
-             return cloudPoints({1418, 17, 6, 0.125, 0.0, 11});
-         }},
+        cloudInput("cloud-holes", "Holes of three whose plane follows three normals",
+                   {2683, 15, 64, 1.0, 1.0, 8}),
+        cloudInput("cloud-half-turn", "No move of start across 180 degrees",
+                   {7291, 18, 64, 0.5, 1.0, 11}),
+        cloudInput("cloud-entries", "A second ring entry whose sector holds the pivot",
+                   {1340, 16, 64, 1.0, 1.0, 10}),
+        cloudInput("cloud-in-line", "The neighbors beside a candidate lie in line with the pivot",
+                   {1418, 17, 6, 0.125, 0.0, 11}),
     };
 }
 

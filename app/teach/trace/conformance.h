@@ -2,6 +2,7 @@
 /// show every switch of the paper's rules.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ namespace se::teach {
 struct ConformanceInput {
     std::string_view name;  ///< Of its files: "figure-8".
     std::string_view shows;
-    PointFile (*build)();
+    std::function<PointFile()> build;
     GivenStart (*start)() = nullptr;  ///< Null: nothing is made yet.
 };
 
