@@ -24,6 +24,24 @@ std::vector<double> valuesOf(const RuleSetting& setting) {
     return values;
 }
 
+/// The trace with the fans alone.
+Trace fansOf(Trace trace) {
+    for (TracePivot& each : trace.pivots) {
+        for (const TraceStageRow& row : traceStages()) {
+            if (row.id != TraceStage::Emit) (each.*row.points).reset();
+        }
+        each.start = each.end = each.next = std::nullopt;
+    }
+    return trace;
+}
+
+/// matchTrace() under a changed setting.
+TraceMatch matchUnder(const RuleValue& setting, const Trace& trace, const SharedPoints& points,
+                      Params params, std::optional<TraceStage> upto) {
+    findRuleSetting(setting.name)->set(params, setting.value);
+    return matchTrace(trace, points, params, upto);
+}
+
 }  // namespace
 
 std::vector<RuleValue> singleSettings(const Params& base) {
@@ -37,44 +55,6 @@ std::vector<RuleValue> singleSettings(const Params& base) {
     }
     return settings;
 }
-
-namespace {
-
-/// The trace with the fans alone.
-Trace fansOf(const Trace& trace) {
-    Trace fans{trace.points, trace.hash, {}};
-    fans.pivots.reserve(trace.pivots.size());
-    for (const TracePivot& each : trace.pivots) {
-        TracePivot pivot;
-        pivot.line = each.line;
-        pivot.p = each.p;
-        pivot.first = each.first;
-        pivot.last = each.last;
-        pivot.fan = each.fan;
-        pivot.ends = each.ends;
-        fans.pivots.push_back(std::move(pivot));
-    }
-    return fans;
-}
-
-/// matchTrace() under a changed setting.
-TraceMatch matchUnder(const RuleValue& setting, const Trace& trace, const SharedPoints& points,
-                      Params params, std::optional<TraceStage> upto) {
-    findRuleSetting(setting.name)->set(params, setting.value);
-    return matchTrace(trace, points, params, upto);
-}
-
-/// Keeps the settings that give the stages of the trace too, if any does.
-void preferSameStages(const Trace& trace, const SharedPoints& points, const Params& base,
-                      std::optional<TraceStage> upto, std::vector<RuleValue>& whole) {
-    std::vector<RuleValue> same;
-    for (const RuleValue& each : whole) {
-        if (matchUnder(each, trace, points, base, upto).whole) same.push_back(each);
-    }
-    if (!same.empty()) whole = std::move(same);
-}
-
-}  // namespace
 
 Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, const Params& base,
                              std::optional<TraceStage> upto, const Progress& progress) {
@@ -98,7 +78,12 @@ Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, con
         guess.nearest = each;
     }
     if (!guess.whole.empty()) guess.nearest.reset();
-    if (byFans) preferSameStages(trace, points, base, upto, guess.whole);
+    // Of several those that give the stages of the trace too, if any does.
+    std::vector<RuleValue> same = byFans ? guess.whole : std::vector<RuleValue>{};
+    std::erase_if(same, [&](const RuleValue& each) {
+        return !matchUnder(each, trace, points, base, upto).whole;
+    });
+    if (!same.empty()) guess.whole = std::move(same);
     return guess;
 }
 

@@ -17,26 +17,19 @@ namespace {
 using TraceJson = nlohmann::ordered_json;
 
 constexpr std::array kTraceStages{
-    TraceStageRow{TraceStage::Sort, "sort", "sort", "6.1", Stage::Sort, &TracePivot::sort},
-    TraceStageRow{TraceStage::Limits, "limits", "limits", "6.1", Stage::Convex,
+    TraceStageRow{TraceStage::Sort, "sort", "sort", Phase::Sort, Stage::Sort, &TracePivot::sort},
+    TraceStageRow{TraceStage::Limits, "limits", "limits", Phase::Convex, Stage::Convex,
                   &TracePivot::limits},
-    TraceStageRow{TraceStage::Reciprocal, "reciprocal", "reciprocal", "6.1", Stage::Reciprocal,
-                  &TracePivot::reciprocal},
-    TraceStageRow{TraceStage::Hole, "hole", "hole", "6.2", Stage::Hole, &TracePivot::hole},
-    TraceStageRow{TraceStage::Sphere, "sphere", "sphere", "6.3", Stage::Sphere,
+    TraceStageRow{TraceStage::Reciprocal, "reciprocal", "reciprocal", Phase::Reciprocal,
+                  Stage::Reciprocal, &TracePivot::reciprocal},
+    TraceStageRow{TraceStage::Hole, "hole", "hole", Phase::Hole, Stage::Hole, &TracePivot::hole},
+    TraceStageRow{TraceStage::Sphere, "sphere", "sphere", Phase::Sphere, Stage::Sphere,
                   &TracePivot::sphere},
-    TraceStageRow{TraceStage::Emit, "emit", "fan", "6.4", Stage::Guard, &TracePivot::fan},
-    TraceStageRow{TraceStage::Ring, "ring", "ring", "6.5", Stage::Advance, &TracePivot::ring},
+    TraceStageRow{TraceStage::Emit, "emit", "fan", Phase::Emit, Stage::Guard, &TracePivot::fan},
+    TraceStageRow{TraceStage::Ring, "ring", "ring", Phase::Advance, Stage::Advance,
+                  &TracePivot::ring},
 };
 static_assert(isInOrder(kTraceStages) && kTraceStages.size() == kTraceStageCount);
-
-/// A point that may be missing.
-struct TracePointField {
-    std::string_view name;
-    std::optional<Index> TracePivot::*point;
-};
-constexpr std::array kTracePointFields{TracePointField{"start", &TracePivot::start},
-                                       TracePointField{"end", &TracePivot::end}};
 
 // ---- writing ------------------------------------------------------------------------------------
 
@@ -71,9 +64,8 @@ TracePivot pivotOfLine(const JsonEntry& line, std::size_t points, std::size_t nu
     pivot.last = line.at("last").point(points);
     if (pivot.p == pivot.first || pivot.p == pivot.last)
         line.at("p").fail("a pivot other than first and last");
-    for (const TracePointField& each : kTracePointFields) {
-        if (line.has(each.name)) pivot.*each.point = line.at(each.name).point(points);
-    }
+    if (line.has("start")) pivot.start = line.at("start").point(points);
+    if (line.has("end")) pivot.end = line.at("end").point(points);
     if (line.has("next"))
         pivot.next = line.at("next").json().is_null() ? kNone : line.at("next").point(points);
     for (const TraceStageRow& row : kTraceStages) {
@@ -169,9 +161,8 @@ std::string traceLine(const TracePivot& pivot) {
         const TracedPoints& points = pivot.*row.points;
         if (points) json[std::string(row.field)] = *points;
         if (row.id != TraceStage::Limits) continue;
-        for (const TracePointField& each : kTracePointFields) {
-            if (pivot.*each.point) json[std::string(each.name)] = *(pivot.*each.point);
-        }
+        if (pivot.start) json["start"] = *pivot.start;
+        if (pivot.end) json["end"] = *pivot.end;
     }
     if (pivot.next) json["next"] = *pivot.next == kNone ? TraceJson() : TraceJson(*pivot.next);
     if (pivot.ends) json["ends"] = true;

@@ -14,6 +14,7 @@
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/given_start.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se::teach {
 
@@ -59,7 +60,7 @@ struct TraceStageRow {
     TraceStage id;
     std::string_view name;             ///< "sort", as on the command line.
     std::string_view field;            ///< "sort"; of emit, "fan".
-    std::string_view section;          ///< "6.1"
+    Phase phase;                       ///< After which a run has its result.
     Stage last;                        ///< Of the decisions that lead to its result.
     TracedPoints TracePivot::*points;  ///< Result of the stage.
 };

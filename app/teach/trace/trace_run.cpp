@@ -38,28 +38,13 @@ void recordRings(const State& state, TracePivot& pivot) {
 
 /// Records what the phase that just ran has left.
 void recordStage(Phase phase, const State& state, TracePivot& pivot) {
-    const NeighborRing& n = state.pivot;
-    switch (phase) {
-        case Phase::Sort:
-            pivot.sort = candidatePoints(state);
-            break;
-        case Phase::Convex:
-            pivot.limits = candidatePoints(state);
-            pivot.start = state.rings.point(n.start);
-            pivot.end = state.rings.point(n.end);
-            break;
-        case Phase::Reciprocal:
-            pivot.reciprocal = candidatePoints(state);
-            break;
-        case Phase::Hole:
-            pivot.hole = candidatePoints(state);
-            break;
-        case Phase::Sphere:
-            pivot.sphere = candidatePoints(state);
-            break;
-        default:
-            break;
+    for (const TraceStageRow& row : traceStages()) {
+        if (row.phase == phase && row.id < TraceStage::Emit)
+            pivot.*row.points = candidatePoints(state);
     }
+    if (phase != Phase::Convex) return;
+    pivot.start = state.rings.point(state.pivot.start);
+    pivot.end = state.rings.point(state.pivot.end);
 }
 
 [[maybe_unused]] bool isBetweenPivots(Phase phase) {
@@ -82,10 +67,9 @@ TracePivot beginningOf(const State& state) {
 
 std::vector<Index> ringFrom(const EdgeRings& rings, Index entry) {
     std::vector<Index> points;
-    const Index length = rings.length(rings.ringOf(entry));
-    points.reserve(length);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+    for (Index left = rings.length(rings.ringOf(entry)); left > 0; --left) {
         points.push_back(rings.point(entry));
+        entry = rings.next(entry);
     }
     return points;
 }
