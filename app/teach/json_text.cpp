@@ -114,9 +114,10 @@ std::string jsonSyntaxFault(std::string_view text, std::size_t byte) {
 
 void JsonEntry::fail(std::string_view expected) const {
     const bool isMissing = &json_ == &kMissing;
-    throw JsonFault{file_ + (path_.empty() ? "" : ": " + path_) + ": expected " +
-                    std::string(expected) +
-                    (isMissing ? ", it is missing" : ", got " + jsonExcerpt(json_))};
+    const auto replace = nlohmann::json::error_handler_t::replace;
+    throw Error{
+        file_ + (path_.empty() ? "" : ": " + path_) + ": expected " + std::string(expected) +
+        (isMissing ? ", it is missing" : ", got " + excerpt(json_.dump(-1, ' ', false, replace)))};
 }
 
 bool JsonEntry::has(std::string_view key) const { return json_.is_object() && json_.contains(key); }

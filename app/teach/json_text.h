@@ -42,25 +42,15 @@ std::string jsonText(const Json& json) {
     return printableJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-/// A value in a message, cut after 80 characters.
-template <typename Json>
-std::string jsonExcerpt(const Json& value) {
-    return excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-/// Thrown where a value of a file is not what was expected; caught by the reader of the whole file.
-struct JsonFault {
-    std::string text;
-};
-
-/// A value of a JSON file. Its functions throw JsonFault if it is of another type than theirs.
+/// A value of a JSON file. Its functions throw an Error if it is of another type than theirs; the
+/// reader of the whole file catches it.
 class JsonEntry {
   public:
     /// `file` begins messages; `path` leads to the value in it: "rings[1][3]".
     JsonEntry(const nlohmann::json& json, std::string file, std::string path = {})
         : json_(json), file_(std::move(file)), path_(std::move(path)) {}
 
-    /// Throws JsonFault: file, path, what was expected and what is there.
+    /// Throws an Error: file, path, what was expected and what is there.
     [[noreturn]] void fail(std::string_view expected) const;
     const nlohmann::json& json() const { return json_; }
 

@@ -169,8 +169,8 @@ Result<LessonResult> resultFromJson(std::string_view text, const std::string& na
         for (const JsonEntry& each : root.at("answers").items("a list"))
             result.answers.push_back(givenAnswer(each));
         return result;
-    } catch (const JsonFault& fault) {
-        return Error{fault.text};
+    } catch (const Error& fault) {
+        return fault;
     }
 }
 

@@ -143,8 +143,8 @@ Result<GivenStart> startFromText(std::string_view text, const std::string& name)
                              ": no such entry; expected triangles, rings, done or open"};
             row->read({value, name, key}, start);
         }
-    } catch (const JsonFault& fault) {
-        return Error{fault.text};
+    } catch (const Error& fault) {
+        return fault;
     }
     if (start.empty())
         return Error{name + ": expected triangles, rings or done points, there are none"};

@@ -56,7 +56,7 @@ std::string faultOfFan(const TracePivot& pivot) {
     return {};
 }
 
-/// The pivot of a line; `number`: from 1. Throws JsonFault.
+/// The pivot of a line; `number`: from 1. Throws an Error.
 TracePivot pivotOfLine(const JsonEntry& line, std::size_t points, std::size_t number) {
     TracePivot pivot;
     pivot.p = line.at("p").point(points);
@@ -97,7 +97,7 @@ Result<nlohmann::json> objectOfLine(const io::LineReader& lines, const std::stri
                           (cut ? "; the last line may be cut off" : ""));
 }
 
-/// The header. Throws JsonFault unless it is one.
+/// The header. Throws an Error unless it is one.
 Trace traceOfHeader(const JsonEntry& head) {
     if (!head.has("setrace"))
         head.fail("the header {\"setrace\": 1, \"points\": N, \"hash\": ...}");
@@ -192,8 +192,8 @@ Result<Trace> readTrace(std::string_view text, const std::string& name, TraceSta
             }
             trace->pivots.push_back(pivotOfLine(entry, trace->points, trace->pivots.size() + 1));
             trace->pivots.back().line = lines.number();
-        } catch (const JsonFault& fault) {
-            return Error{fault.text};
+        } catch (const Error& fault) {
+            return fault;
         }
     }
     if (!trace) return Error{name + ": the file is empty"};
