@@ -12,34 +12,22 @@
 namespace se::teach {
 namespace {
 
-/// The figure that an input is of; null if it is of none.
-const Figure* figureOf(std::string_view input) {
-    return input.starts_with(kScenePrefix) ? figureOfScene(input.substr(kScenePrefix.size()))
-                                           : nullptr;
-}
-
-/// The names of the figure that an input is of; empty if it is of none.
-std::vector<NamedPoint> figureNames(std::string_view input) {
-    std::vector<NamedPoint> names;
-    const Figure* figure = figureOf(input);
-    if (figure == nullptr) return names;
-    for (const PointName& each : figure->names)
-        names.push_back({std::string(each.name), each.point});
-    return names;
-}
-
-std::string firstPlace(std::string_view input) {
-    const std::string_view address =
-        input.starts_with(kScenePrefix) ? addressOfScene(input.substr(kScenePrefix.size())) : "";
-    return address.empty() ? "0" : std::string(address);
+/// The id of the scene that an input is; empty if it is none.
+std::string_view sceneOf(std::string_view input) {
+    return isScene(input) ? input.substr(kScenePrefix.size()) : std::string_view{};
 }
 
 /// Opens an input: names are those given with it, or of the figure.
 void openInput(StepSetting& setting, const std::string& input,
                const std::vector<NamedPoint>& names) {
     setting.input = input;
-    setting.names = names.empty() ? figureNames(input) : names;
-    setting.at = firstPlace(input);
+    setting.names = names;
+    if (const Figure* figure = figureOfScene(sceneOf(input)); figure != nullptr && names.empty()) {
+        for (const PointName& each : figure->names)
+            setting.names.push_back({std::string(each.name), each.point});
+    }
+    const std::string_view address = addressOfScene(sceneOf(input));
+    setting.at = address.empty() ? "0" : address;
 }
 
 /// Rules of a step in addition to those of the lesson; a set replaces them.
@@ -77,7 +65,7 @@ StepSetting settingOf(const Lesson& lesson, std::size_t step) {
 
 std::optional<Vec3> viewDirection(const StepSetting& setting) {
     if (const LessonView* view = findNamed(lessonViews(), setting.view)) return view->toEye;
-    const Figure* figure = figureOf(setting.input);
+    const Figure* figure = figureOfScene(sceneOf(setting.input));
     return figure != nullptr ? std::optional(figure->view) : std::nullopt;
 }
 
