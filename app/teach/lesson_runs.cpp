@@ -19,12 +19,6 @@
 namespace se::teach {
 namespace {
 
-std::size_t countOf(Stage stage, const std::vector<Event>& events) {
-    return static_cast<std::size_t>(
-        std::count_if(events.begin(), events.end(),
-                      [&](const Event& event) { return event.address.stage == stage; }));
-}
-
 /// Why an address is not in the run.
 std::string absenceText(RunCursor& cursor, const Address& address) {
     const std::string pivot = "pivot " + std::to_string(address.pivot);
@@ -34,10 +28,13 @@ std::string absenceText(RunCursor& cursor, const Address& address) {
         return "the run ends at pivot " + std::to_string(cursor.pivot().pivot) + ", there is no " +
                pivot;
     }
-    const std::size_t count = countOf(address.stage, cursor.pivot().events);
+    const std::vector<Event>& events = cursor.pivot().events;
+    const auto count = std::count_if(events.begin(), events.end(), [&](const Event& event) {
+        return event.address.stage == address.stage;
+    });
     if (count == 0) return pivot + " has no decision of " + stage;
-    return pivot + " has " + counted(count, "decision") + " of " + stage + ", not " +
-           std::to_string(address.n);
+    return pivot + " has " + counted(static_cast<std::size_t>(count), "decision") + " of " + stage +
+           ", not " + std::to_string(address.n);
 }
 
 void goToShare(RunCursor& cursor, double share) {

@@ -21,38 +21,27 @@ struct SkeletonStep {
     bool (*matches)(const Event&);
 };
 
-template <Stage stage>
-bool isAtStage(const Event& event) {
-    return event.address.stage == stage;
-}
 bool isRefused(const Event& event) { return outcomeOf(event) == Outcome::Refused; }
-template <Stage stage>
-bool isRefusedAt(const Event& event) {
-    return event.address.stage == stage && outcomeOf(event) == Outcome::Refused;
-}
-bool isMovedLimit(const Event& event) {
-    const auto* limit = as<LimitEvidence>(event);
-    return limit != nullptr && limit->moves();
-}
 
 constexpr std::array kSkeletonSteps{
     SkeletonStep{"The first two points",
                  "The edge ring begins with a point and its nearest neighbor.",
-                 isAtStage<Stage::Seed>},
+                 [](const Event& e) { return e.address.stage == Stage::Seed; }},
     SkeletonStep{"A neighbor is left out", "Each neighbor is tested; this one is refused.",
                  isRefused},
-    SkeletonStep{"The first triangle", "Its first corner is the pivot.", isAtStage<Stage::Emit>},
-    SkeletonStep{"Start or end moves", "The edge ring is concave beside the pivot.", isMovedLimit},
-    SkeletonStep{"A point on the finished side", "Seen from it, the pivot could be no neighbor.",
-                 isRefusedAt<Stage::Reciprocal>},
+    SkeletonStep{"The first triangle", "Its first corner is the pivot.",
+                 [](const Event& e) { return e.address.stage == Stage::Emit; }},
+    SkeletonStep{
+        "Start or end moves", "The edge ring is concave beside the pivot.",
+        [](const Event& e) { return isA<LimitEvidence>(e) && as<LimitEvidence>(e)->moves(); }},
+    SkeletonStep{
+        "A point on the finished side", "Seen from it, the pivot could be no neighbor.",
+        [](const Event& e) { return e.address.stage == Stage::Reciprocal && isRefused(e); }},
     SkeletonStep{"The edge ring splits", "It meets itself: one point stands on it twice.",
-                 isAtStage<Stage::Split>},
-    SkeletonStep{"Two rings join", "A point of another ring is reached.", isAtStage<Stage::Join>},
+                 [](const Event& e) { return e.address.stage == Stage::Split; }},
+    SkeletonStep{"Two rings join", "A point of another ring is reached.",
+                 [](const Event& e) { return e.address.stage == Stage::Join; }},
 };
-
-void addFence(std::string& text, std::string_view word) {
-    text += "```" + std::string(word) + "\n";
-}
 
 void addKey(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = \"" + value + "\"\n";
@@ -71,7 +60,7 @@ std::string escaped(const std::string& text) {
 void addStep(std::string& text, const SkeletonStep& step, const Event& event) {
     text += "\n## " + std::string(step.title) + "\n\n" + std::string(step.text) + " " +
             describe(event) + "\n\n";
-    addFence(text, "se step");
+    text += "```se step\n";
     text += "minutes = 1\n";
     addKey(text, "at", toString(event.address));
     if (const std::string outcome = outcomeText(event); !outcome.empty())
@@ -87,9 +76,9 @@ void addQuestion(std::string& text, std::uint32_t pivot, const Address& last) {
         "For each neighbor in turn: a circle through the pivot and the two beside it. A neighbor\n"
         "outside of the sphere around that circle goes, unless a gap over 120 degrees would be\n"
         "left. Which of them go?\n\n";
-    addFence(text, "se step");
+    text += "```se step\n";
     text += "minutes = 2\n```\n\n";
-    addFence(text, "se ask");
+    text += "```se ask\n";
     addKey(text, "kind", "points");
     addKey(text, "at", number + ".pivot.1");
     addKey(text, "until", toString(last));
@@ -135,11 +124,6 @@ void addList(std::string& text, std::string_view key, const std::vector<std::str
     text += std::string(key) + " = [" + list + "]\n";
 }
 
-/// The texts of a field of the run.
-std::vector<std::string> textsOf(const RunSpec& spec, std::string_view key) {
-    return findSpecField(key)->texts(spec);
-}
-
 /// `options = { neighbors = 16 }`; nothing for the lists of the input.
 void addOptions(std::string& text, const RunSpec& spec) {
     std::string list;
@@ -155,7 +139,7 @@ void addOptions(std::string& text, const RunSpec& spec) {
 /// The title of a lesson and its block, which is still open.
 std::string beginningOf(const std::string& input) {
     std::string text = "# A lesson on " + printable(input) + "\n\n";
-    addFence(text, "se lesson");
+    text += "```se lesson\n";
     text += "version = 1\n";
     addKey(text, "input", escaped(input));
     return text;
@@ -177,15 +161,15 @@ std::string lessonOfNotes(const std::string& input, const RunSpec& spec, const s
     std::string text = beginningOf(input);
     addOptions(text, spec);
     if (spec.rules != RunSpec{}.rules) addKey(text, "rules", spec.rules);
-    addList(text, "rule", textsOf(spec, "switches"));
+    addList(text, "rule", findSpecField("switches")->texts(spec));
     text += "```\n";
     if (!intro.empty()) text += "\n" + intro + "\n";
     for (const NotedPosition& each : notes) {
         text += "\n## " + headingOf(each) + "\n\n";
-        addFence(text, "se step");
+        text += "```se step\n";
         addKey(text, "at", each.address);
         if (!each.camera.empty()) text += "camera = '" + each.camera + "'\n";
-        addList(text, "what_if", textsOf(spec, "what_if"));
+        addList(text, "what_if", findSpecField("what_if")->texts(spec));
         text += "```\n";
     }
     return text;
