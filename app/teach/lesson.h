@@ -25,10 +25,11 @@ enum class FaultSort : std::uint8_t {
 
 /// A fault of a lesson: where, what, and what to do.
 struct LessonFault {
-    FaultSort sort = FaultSort::Malformed;
     std::size_t line = 0;  ///< Of the file, from 1; 0: the whole file.
     std::string key;       ///< Of a block; may be empty.
     std::string message;
+    FaultSort sort = FaultSort::Malformed;
+    friend bool operator==(const LessonFault&, const LessonFault&) = default;
 };
 
 /// "name:14: at: pivot 9 has 4 decisions of sphere, not 5".

@@ -169,7 +169,7 @@ class StepCheck {
 
   private:
     bool fault(FaultSort sort, std::size_t line, std::string key, std::string message) {
-        faults_.push_back({sort, line, std::move(key), std::move(message)});
+        faults_.push_back({line, std::move(key), std::move(message), sort});
         return false;
     }
     bool malformed(const KeyLines& lines, const std::string& key, std::string message) {
@@ -395,17 +395,13 @@ class StepCheck {
     std::optional<ClaimedRun> compared_;  ///< Nothing if the step compares no other run.
 };
 
-bool isSameFault(const LessonFault& a, const LessonFault& b) {
-    return a.line == b.line && a.key == b.key && a.message == b.message;
-}
-
 }  // namespace
 
 std::vector<LessonFault> checkLesson(const Lesson& lesson, LessonRuns& runs) {
     std::vector<LessonFault> faults;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) StepCheck(lesson, i, runs, faults).run();
     // What the lesson says once, such as its input, is reported once.
-    faults.erase(std::unique(faults.begin(), faults.end(), isSameFault), faults.end());
+    faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
     return faults;
 }
 

@@ -95,9 +95,11 @@ struct KeyRow {
 };
 
 // Each reads a value of one type; false if it is another.
-bool readValue(const toml::node& node, std::string& out) {
-    if (!node.is_string()) return false;
-    out = node.as_string()->get();
+template <typename Value>
+bool readValue(const toml::node& node, Value& out) {
+    const toml::value<Value>* value = node.as<Value>();
+    if (value == nullptr) return false;
+    out = value->get();
     return true;
 }
 
@@ -110,12 +112,6 @@ bool readValue(const toml::node& node, double& out) {
         return false;
     }
     return std::isfinite(out) && out >= 0.0;
-}
-
-bool readValue(const toml::node& node, bool& out) {
-    if (!node.is_boolean()) return false;
-    out = node.as_boolean()->get();
-    return true;
 }
 
 /// A text, or a whole number as text: points may be given as either.
@@ -257,59 +253,51 @@ constexpr std::string_view kPlace = "PIVOT[.STAGE[.N]], such as 9.sphere.2, or a
 constexpr std::string_view kKind = "one of points, point, choice, number, play";
 constexpr std::string_view kView = "one of front, back, left, right, top, bottom";
 
-constexpr std::array kLessonKeys{
-    KeyRow<Lesson>{"version", "1", readVersion},
-    KeyRow<Lesson>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
-                   read<&Lesson::input>},
-    KeyRow<Lesson>{"options", "a table of neighbors, radius, reach and symmetric", readOptions},
-    KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<Lesson>},
-    KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<Lesson>},
-    KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", read<&Lesson::names>},
-    KeyRow<Lesson>{"view", kView, readSort<&Lesson::view, isView>},
-    KeyRow<Lesson>{"layout", "one of debug, learn, present, compare",
-                   readSort<&Lesson::layout, isLayout>},
-    KeyRow<Lesson>{"author", "a text", read<&Lesson::author>},
-    KeyRow<Lesson>{"license", "a text", read<&Lesson::license>},
+constexpr KeyRow<Lesson> kLessonKeys[] = {
+    {"version", "1", readVersion},
+    {"input", "a text: scene:ID, practice:SEED, or the path of a file", read<&Lesson::input>},
+    {"options", "a table of neighbors, radius, reach and symmetric", readOptions},
+    {"rules", "the name of a set of rules", readRules<Lesson>},
+    {"rule", "a list of NAME=VALUE", readRule<Lesson>},
+    {"names", "a table of names and points, { p = 15 }", read<&Lesson::names>},
+    {"view", kView, readSort<&Lesson::view, isView>},
+    {"layout", "one of debug, learn, present, compare", readSort<&Lesson::layout, isLayout>},
+    {"author", "a text", read<&Lesson::author>},
+    {"license", "a text", read<&Lesson::license>},
 };
 
-constexpr std::array kStepKeys{
-    KeyRow<LessonStep>{"minutes", "a number", read<&LessonStep::minutes>},
-    KeyRow<LessonStep>{"at", kPlace, readPlace<&LessonStep::at>},
-    KeyRow<LessonStep>{"until", kPlace, readPlace<&LessonStep::until>},
-    KeyRow<LessonStep>{"play", "a speed such as \"pivot 2/s\" (sub-step, pivot or event)",
-                       readPlay},
-    KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
-                       read<&LessonStep::expect>},
-    KeyRow<LessonStep>{"facts", "a list of lists: words of the text, and claims for them",
-                       readFacts},
-    KeyRow<LessonStep>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
-                       read<&LessonStep::input>},
-    KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",
-                       read<&LessonStep::names>},
-    KeyRow<LessonStep>{"rules", "the name of a set of rules", readRules<LessonStep>},
-    KeyRow<LessonStep>{"rule", "a list of NAME=VALUE", readRule<LessonStep>},
-    KeyRow<LessonStep>{"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
-    KeyRow<LessonStep>{"compare", "the options in which the other run differs", readCompare},
-    KeyRow<LessonStep>{"select", "one to three points", read<&LessonStep::select>},
-    KeyRow<LessonStep>{"view", kView, readSort<&LessonStep::view, isView>},
-    KeyRow<LessonStep>{"camera", "a camera as Ctrl+C copies it, in '...'",
-                       read<&LessonStep::camera>},
-    KeyRow<LessonStep>{"frame", "one of all, pivot", readSort<&LessonStep::frame, isFrame>},
-    KeyRow<LessonStep>{"pin", "a list of layers", read<&LessonStep::pin>},
-    KeyRow<LessonStep>{"hide", "a list of layers", read<&LessonStep::hide>},
+constexpr KeyRow<LessonStep> kStepKeys[] = {
+    {"minutes", "a number", read<&LessonStep::minutes>},
+    {"at", kPlace, readPlace<&LessonStep::at>},
+    {"until", kPlace, readPlace<&LessonStep::until>},
+    {"play", "a speed such as \"pivot 2/s\" (sub-step, pivot or event)", readPlay},
+    {"expect", "the outcome of the decision at `at`, such as \"removed\"",
+     read<&LessonStep::expect>},
+    {"facts", "a list of lists: words of the text, and claims for them", readFacts},
+    {"input", "a text: scene:ID, practice:SEED, or the path of a file", read<&LessonStep::input>},
+    {"names", "a table of names and points, { p = 15 }", read<&LessonStep::names>},
+    {"rules", "the name of a set of rules", readRules<LessonStep>},
+    {"rule", "a list of NAME=VALUE", readRule<LessonStep>},
+    {"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
+    {"compare", "the options in which the other run differs", readCompare},
+    {"select", "one to three points", read<&LessonStep::select>},
+    {"view", kView, readSort<&LessonStep::view, isView>},
+    {"camera", "a camera as Ctrl+C copies it, in '...'", read<&LessonStep::camera>},
+    {"frame", "one of all, pivot", readSort<&LessonStep::frame, isFrame>},
+    {"pin", "a list of layers", read<&LessonStep::pin>},
+    {"hide", "a list of layers", read<&LessonStep::hide>},
 };
 
-constexpr std::array kAskKeys{
-    KeyRow<Question>{"kind", kKind, readSort<&Question::kind, isKind>},
-    KeyRow<Question>{"at", kPlace, readPlace<&Question::at>},
-    KeyRow<Question>{"until", kPlace, readPlace<&Question::until>},
-    KeyRow<Question>{"answer", "a text, a number, or a list of points", readAnswer},
-    KeyRow<Question>{"options", "a list of texts, A to D", read<&Question::options>},
-    KeyRow<Question>{"verdicts", "for each option the outcome for which it is right",
-                     read<&Question::verdicts>},
-    KeyRow<Question>{"within", "a number", read<&Question::within>},
-    KeyRow<Question>{"why", kPlace, readPlace<&Question::why>},
-    KeyRow<Question>{"unchecked", "true or false", read<&Question::unchecked>},
+constexpr KeyRow<Question> kAskKeys[] = {
+    {"kind", kKind, readSort<&Question::kind, isKind>},
+    {"at", kPlace, readPlace<&Question::at>},
+    {"until", kPlace, readPlace<&Question::until>},
+    {"answer", "a text, a number, or a list of points", readAnswer},
+    {"options", "a list of texts, A to D", read<&Question::options>},
+    {"verdicts", "for each option the outcome for which it is right", read<&Question::verdicts>},
+    {"within", "a number", read<&Question::within>},
+    {"why", kPlace, readPlace<&Question::why>},
+    {"unchecked", "true or false", read<&Question::unchecked>},
 };
 
 /// A value as the text of an option; nothing if it has another type than the field.
@@ -344,13 +332,12 @@ void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, T
                std::vector<LessonFault>& faults) {
     target.lines.block = block.line;
     if (const StraySign stray = strayTomlSign(block.toml); stray.line > 0) {
-        faults.push_back(
-            {FaultSort::Malformed, block.line + stray.line, "", std::string(stray.what)});
+        faults.push_back({block.line + stray.line, "", std::string(stray.what)});
         return;
     }
     const toml::parse_result parsed = toml::parse(block.toml);
     if (!parsed) {
-        faults.push_back({FaultSort::Malformed, block.line + parsed.error().source().begin.line, "",
+        faults.push_back({block.line + parsed.error().source().begin.line, "",
                           std::string(parsed.error().description())});
         return;
     }
@@ -359,14 +346,13 @@ void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, T
         const std::size_t line = block.line + key.source().begin.line;
         const KeyRow<Target>* row = findNamed(rows, name);
         if (row == nullptr) {
-            faults.push_back({FaultSort::Malformed, line, excerpt(name),
-                              "no such key; the nearest is " + nearestName(rows, name)});
+            faults.push_back(
+                {line, excerpt(name), "no such key; the nearest is " + nearestName(rows, name)});
             continue;
         }
         target.lines.keys.emplace_back(name, line);
         if (!row->read(value, target)) {
-            faults.push_back(
-                {FaultSort::Malformed, line, name, "expected " + std::string(row->expected)});
+            faults.push_back({line, name, "expected " + std::string(row->expected)});
         }
     }
 }
@@ -383,8 +369,7 @@ class BlockFaults {
     BlockFaults(const KeyLines& lines, std::vector<LessonFault>& faults)
         : lines_(lines), faults_(faults) {}
     void add(std::string_view key, std::string message) {
-        faults_.push_back(
-            {FaultSort::Malformed, lines_.of(key), std::string(key), std::move(message)});
+        faults_.push_back({lines_.of(key), std::string(key), std::move(message)});
     }
     void names(const std::vector<NamedPoint>& names) {
         for (const NamedPoint& each : names) {
@@ -399,13 +384,9 @@ class BlockFaults {
     std::vector<LessonFault>& faults_;
 };
 
-constexpr std::size_t kMostOptions = 4;
-
-std::size_t leastOptions(const Question& question) { return question.kind == "choice" ? 2 : 0; }
-
 void checkOptions(const Question& question, BlockFaults& faults) {
     const std::size_t count = question.options.size();
-    if (count < leastOptions(question) || count == 1 || count > kMostOptions)
+    if ((count == 0 && question.kind == "choice") || count == 1 || count > 4)
         faults.add("options", "expected two to four answers, A to D");
     const std::set<std::string> different(question.options.begin(), question.options.end());
     if (different.size() < count) faults.add("options", "two of the answers are the same");
@@ -449,7 +430,7 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     for (const LessonLink& link : step.links) {
         if (!isPlace(link.address)) {
             all.push_back(
-                {FaultSort::Malformed, link.line, "",
+                {link.line, "",
                  "se:" + excerpt(link.address) + ": expected an address, such as se:9.sphere.2"});
         }
     }
@@ -491,7 +472,7 @@ std::vector<LessonFault> syntaxFaults(const Lesson& lesson) {
         if (spec) continue;
         const KeyLines& lines =
             lesson.steps[i].rules.empty() ? lesson.lines : lesson.steps[i].lines;
-        all.push_back({FaultSort::Malformed, lines.of("rules"), "rules", spec.error().message});
+        all.push_back({lines.of("rules"), "rules", spec.error().message});
         break;
     }
     return all;

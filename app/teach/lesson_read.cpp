@@ -60,7 +60,7 @@ class LessonReader {
         return static_cast<std::size_t>(std::max(cmark_node_get_start_line(node), 0));
     }
     void add(std::size_t line, std::string key, std::string message) {
-        faults_.push_back({FaultSort::Malformed, line, std::move(key), std::move(message)});
+        faults_.push_back({line, std::move(key), std::move(message)});
     }
 
     void take(cmark_node* node) {
@@ -187,7 +187,7 @@ class LessonReader {
 LessonReading refused(const std::string& name, std::size_t line, std::string message) {
     LessonReading reading;
     reading.lesson.name = name;
-    reading.faults.push_back({FaultSort::Malformed, line, "", std::move(message)});
+    reading.faults.push_back({line, "", std::move(message)});
     return reading;
 }
 
