@@ -15,7 +15,7 @@
 
 #include "find_named.h"
 #include "json_text.h"
-#include "lesson_setting.h"
+#include "lesson.h"
 #include "question.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"

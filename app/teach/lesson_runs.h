@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "lesson_setting.h"
+#include "lesson.h"
 #include "question.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"

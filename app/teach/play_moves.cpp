@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "find_named.h"
-#include "lesson_setting.h"
+#include "lesson.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"

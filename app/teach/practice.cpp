@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson_setting.h"
+#include "lesson.h"
 #include "spiraling_edge/base/random.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
-#include "trace/trace_run.h"
+#include "trace/setrace.h"
 
 namespace se::teach {
 namespace {

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "find_named.h"
-#include "lesson_setting.h"
+#include "lesson.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/reading.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "teach/lesson.h"
 #include "teach/lesson_read.h"
-#include "teach/lesson_setting.h"
 #include "teach/lesson_text.h"
 #include "teach/result.h"
 

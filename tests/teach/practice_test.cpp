@@ -9,7 +9,7 @@
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/stepper.h"
-#include "teach/result_table.h"
+#include "teach/result.h"
 #include "teach/trace/setrace.h"
 #include "trace/traced_scenes.h"
 

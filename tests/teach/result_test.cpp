@@ -4,7 +4,6 @@
 
 #include "lesson_files.h"
 #include "teach/lesson_read.h"
-#include "teach/result_table.h"
 
 namespace se::teach {
 namespace {

@@ -19,7 +19,7 @@
 #include "teach/lesson_runs.h"
 #include "teach/lesson_skeleton.h"
 #include "teach/lesson_text.h"
-#include "teach/result_table.h"
+#include "teach/result.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -17,7 +17,7 @@
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/stepper/stepper.h"
-#include "teach/trace/trace_run.h"
+#include "teach/trace/setrace.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -4,12 +4,12 @@
 #include <cassert>
 #include <cmath>
 
+#include "setrace.h"
 #include "spiraling_edge/base/random.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
-#include "trace_run.h"
 
 namespace se::teach {
 namespace {

@@ -1,5 +1,5 @@
 /// Traces of a run, from this program or any other, as JSON Lines (.setrace): a header with the
-/// number of points, then one line per pivot with its fan.
+/// number of points, then one line per pivot with its fan; and a run as these lines.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/given_start.h"
 #include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::teach {
 
@@ -101,5 +102,23 @@ Result<Trace> readTraceFile(const std::string& path, TraceStage upto = TraceStag
 
 /// Success if the trace is of `points`: their number and their hash, if it has one.
 Status requireTraceOf(const Trace& trace, const PointSet& points, const std::string& name);
+
+/// The points of a ring from an entry on.
+std::vector<Index> ringFrom(const EdgeRings& rings, Index entry);
+
+/// Content of a recorded pivot.
+enum class TraceDetail : std::uint8_t {
+    Fans,    ///< Pivot, first, last and fan.
+    Stages,  ///< Also the candidates after each stage, the rings, and what became DONE.
+};
+
+/// One step of a run.
+struct TraceStep {
+    bool ran = false;                 ///< False at the end of the run, as Stepper::stepPivot().
+    std::optional<TracePivot> pivot;  ///< Nothing for a step after the last pivot.
+};
+
+/// Runs `stepper` to the end of its next pivot. Requires that it stands between two pivots.
+TraceStep stepTraced(Stepper& stepper, TraceDetail detail);
 
 }  // namespace se::teach

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "setrace.h"
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/points/shared_points.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
-#include "trace_run.h"
 
 namespace se::teach {
 

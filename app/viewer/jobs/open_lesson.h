@@ -12,7 +12,6 @@
 #include "spiraling_edge/prepare/prepare.h"
 #include "teach/lesson.h"
 #include "teach/lesson_runs.h"
-#include "teach/lesson_setting.h"
 
 namespace se::view {
 

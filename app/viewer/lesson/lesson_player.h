@@ -25,7 +25,6 @@
 #include "session/playback.h"
 #include "spiraling_edge/base/result.h"
 #include "teach/lesson.h"
-#include "teach/lesson_setting.h"
 
 namespace se::view {
 

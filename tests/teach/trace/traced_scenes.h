@@ -7,7 +7,7 @@
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rule_settings.h"
-#include "teach/trace/trace_run.h"
+#include "teach/trace/setrace.h"
 
 namespace se::teach {
 

@@ -1,4 +1,4 @@
-#include "teach/lesson_setting.h"
+#include "teach/lesson.h"
 
 #include <doctest/doctest.h>
 
