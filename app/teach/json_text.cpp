@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "spiraling_edge/base/text_scan.h"
 
@@ -22,75 +23,20 @@ std::string placeOf(std::string_view text, std::size_t offset, std::size_t line)
     return io::lineText(line) + ", column " + std::to_string(column + 1);
 }
 
-/// Walks over the tokens of a JSON text without recursion, and knows the keys that lead to each.
-class LimitScan {
-  public:
-    LimitScan(std::string_view text, std::size_t line) : text_(text), line_(line) {}
+/// The byte after the string that begins at `at`.
+std::size_t endOfString(std::string_view text, std::size_t at) {
+    for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
+    return std::min(at + 1, text.size());
+}
 
-    std::string fault() {
-        while (at_ < text_.size()) {
-            const std::string found = step();
-            if (!found.empty()) return placeOf(text_, at_, line_) + ": " + found;
-        }
-        return {};
+std::string numberFault(std::span<const std::string_view> keys, std::string_view digits) {
+    std::string trail;  // "options.reach"
+    for (const std::string_view key : keys) {
+        if (!key.empty()) trail.append(trail.empty() ? "" : ".").append(key);
     }
-
-  private:
-    static constexpr std::string_view kNumberSigns = "0123456789+-.eE";
-
-    /// Moves over one token. Returns what is wrong with it, and stays there.
-    std::string step() {
-        const char c = text_[at_];
-        if (c == '"') return skipString();
-        if (c == '-' || (c >= '0' && c <= '9')) return checkNumber();
-        if (c == '[' || c == '{') {
-            if (depth_ == kMaxJsonLevels)
-                return "expected at most " + std::to_string(kMaxJsonLevels) +
-                       " levels of lists and objects";
-            keys_[depth_++] = {};
-        }
-        if ((c == ']' || c == '}') && depth_ > 0) --depth_;
-        if (c == ':' && depth_ > 0) keys_[depth_ - 1] = lastString_;
-        ++at_;
-        return {};
-    }
-    std::string skipString() {
-        const std::size_t begin = ++at_;
-        while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
-        at_ = std::min(at_, text_.size());
-        lastString_ = text_.substr(begin, at_ - begin);
-        if (at_ < text_.size()) ++at_;
-        return {};
-    }
-    std::string checkNumber() {
-        const std::size_t end = std::min(text_.find_first_not_of(kNumberSigns, at_), text_.size());
-        const std::string_view digits = text_.substr(at_, end - at_);
-        double number = 0.0;
-        if (io::parseDouble(digits, number) && std::isfinite(number)) {
-            at_ = end;
-            return {};
-        }
-        const std::string keys = trail();
-        return (keys.empty() ? "" : inQuotes(keys) + ": ") +
-               "expected a number within the range of double, up to 1.79e308, got " +
-               inQuotes(digits);
-    }
-    /// "options.reach"
-    std::string trail() const {
-        std::string text;
-        for (std::size_t i = 0; i < depth_; ++i) {
-            if (!keys_[i].empty()) text.append(text.empty() ? "" : ".").append(keys_[i]);
-        }
-        return text;
-    }
-
-    std::string_view text_;
-    std::size_t line_;
-    std::size_t at_ = 0;
-    std::size_t depth_ = 0;
-    std::array<std::string_view, kMaxJsonLevels> keys_;  ///< The latest key of each open object.
-    std::string_view lastString_;
-};
+    return (trail.empty() ? "" : inQuotes(trail) + ": ") +
+           "expected a number within the range of double, up to 1.79e308, got " + inQuotes(digits);
+}
 
 /// Stands for a value that an object lacks.
 const nlohmann::json kMissing;
@@ -101,8 +47,34 @@ bool isPoint(const nlohmann::json& json, std::size_t count) {
 
 }  // namespace
 
+// Walks over the tokens without recursion.
 std::string jsonLimitFault(std::string_view text, std::size_t line) {
-    return LimitScan(text, line).fault();
+    std::array<std::string_view, kMaxJsonLevels> keys;  // The latest key of each open object.
+    std::size_t depth = 0;
+    std::string_view string;  // The latest one.
+    for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+        const char c = text[at];
+        end = at + 1;
+        if (c == '"') {
+            end = endOfString(text, at);
+            string = text.substr(at + 1, end - at - 2);
+        } else if (c == '-' || (c >= '0' && c <= '9')) {
+            end = std::min(text.find_first_not_of("0123456789+-.eE", at), text.size());
+            const std::string_view digits = text.substr(at, end - at);
+            if (!numberIn<double>(digits))
+                return placeOf(text, at, line) + ": " + numberFault({keys.data(), depth}, digits);
+        } else if (c == '[' || c == '{') {
+            if (depth == kMaxJsonLevels)
+                return placeOf(text, at, line) + ": expected at most " +
+                       std::to_string(kMaxJsonLevels) + " levels of lists and objects";
+            keys[depth++] = {};
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        } else if (c == ':' && depth > 0) {
+            keys[depth - 1] = string;
+        }
+    }
+    return {};
 }
 
 std::string jsonSyntaxFault(std::string_view text, std::size_t byte) {
