@@ -27,58 +27,37 @@ int numberOf(cmark_node* paragraph) {
     return number;
 }
 
-/// Collects blocks while the nodes of a tree are entered and left.
-class BlockCollector {
-  public:
-    void visit(cmark_node* node, cmark_event_type event) {
-        const cmark_node_type type = cmark_node_get_type(node);
-        const bool enters = event == CMARK_EVENT_ENTER;
-        if (type == CMARK_NODE_EMPH) style_.emphasized = enters;
-        if (type == CMARK_NODE_STRONG) style_.strong = enters;
-        if (type == CMARK_NODE_LINK) style_.link = enters ? urlOf(node) : "";
-        if (!enters) return;
-        if (type == CMARK_NODE_PARAGRAPH || type == CMARK_NODE_HEADING) {
-            blocks_.push_back({kindOf(node), {}, numberOf(node), {}});
-        } else if (type == CMARK_NODE_IMAGE) {
-            blocks_.push_back({TextBlockKind::Image, {}, 0, std::string(urlOf(node))});
-        } else if (type == CMARK_NODE_CODE_BLOCK || type == CMARK_NODE_HTML_BLOCK) {
-            blocks_.push_back({TextBlockKind::Code, {}, 0, {}});
-            add(literalOf(node));
-        } else {
-            addInline(node, type);
-        }
-    }
-    std::vector<TextBlock> take() { return std::move(blocks_); }
-
-  private:
-    void addInline(cmark_node* node, cmark_node_type type) {
-        if (type == CMARK_NODE_SOFTBREAK) add(" ");
-        if (type == CMARK_NODE_LINEBREAK) add("\n");
-        if (type == CMARK_NODE_TEXT || type == CMARK_NODE_HTML_INLINE) add(literalOf(node));
-        if (type != CMARK_NODE_CODE) return;
-        style_.code = true;
-        add(literalOf(node));
-        style_.code = false;
-    }
-    void add(std::string_view text) {
-        if (blocks_.empty()) blocks_.emplace_back();
-        TextSpan span = style_;
-        span.text = text;
-        blocks_.back().spans.push_back(std::move(span));
-    }
-
-    TextSpan style_;
-    std::vector<TextBlock> blocks_;
-};
-
 }  // namespace
 
 std::vector<TextBlock> textBlocks(std::string_view markdown) {
+    std::vector<TextBlock> blocks;
+    TextSpan style;
+    const auto add = [&](std::string_view text) {
+        if (blocks.empty()) blocks.emplace_back();
+        blocks.back().spans.push_back(style);
+        blocks.back().spans.back().text = text;
+    };
     const MarkdownTree tree = markdownTree(markdown);
-    BlockCollector collector;
-    visitNodes(tree.get(),
-               [&](cmark_node* node, cmark_event_type event) { collector.visit(node, event); });
-    return collector.take();
+    visitNodes(tree.get(), [&](cmark_node* node, cmark_event_type event) {
+        const cmark_node_type type = cmark_node_get_type(node);
+        const bool enters = event == CMARK_EVENT_ENTER;
+        if (type == CMARK_NODE_EMPH) style.emphasized = enters;
+        if (type == CMARK_NODE_STRONG) style.strong = enters;
+        if (type == CMARK_NODE_LINK) style.link = enters ? urlOf(node) : "";
+        if (!enters) return;
+        style.code = type == CMARK_NODE_CODE;
+        if (type == CMARK_NODE_PARAGRAPH || type == CMARK_NODE_HEADING)
+            blocks.push_back({kindOf(node), {}, numberOf(node), {}});
+        if (type == CMARK_NODE_IMAGE)
+            blocks.push_back({TextBlockKind::Image, {}, 0, std::string(urlOf(node))});
+        if (type == CMARK_NODE_CODE_BLOCK || type == CMARK_NODE_HTML_BLOCK)
+            blocks.push_back({TextBlockKind::Code, {}, 0, {}});
+        if (type == CMARK_NODE_SOFTBREAK) add(" ");
+        if (type == CMARK_NODE_LINEBREAK) add("\n");
+        // Of texts, code and HTML.
+        if (const char* literal = cmark_node_get_literal(node)) add(literal);
+    });
+    return blocks;
 }
 
 std::string plainTextOf(const std::vector<TextBlock>& blocks) {
