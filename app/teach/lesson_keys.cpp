@@ -357,12 +357,6 @@ void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, T
     }
 }
 
-template <typename Target>
-void listKeys(std::string_view block, std::span<const KeyRow<Target>> rows,
-              std::vector<LessonKey>& keys) {
-    for (const KeyRow<Target>& row : rows) keys.push_back({block, row.name, row.expected});
-}
-
 /// Faults of one block, by the lines of its keys.
 class BlockFaults {
   public:
@@ -451,12 +445,15 @@ void readAskBlock(const LessonBlock& block, Question& question, std::vector<Less
     readBlock<Question>(block, kAskKeys, question, faults);
 }
 
-std::vector<LessonKey> lessonKeys() {
-    std::vector<LessonKey> keys;
-    listKeys<Lesson>("lesson", kLessonKeys, keys);
-    listKeys<LessonStep>("step", kStepKeys, keys);
-    listKeys<Question>("ask", kAskKeys, keys);
-    return keys;
+std::vector<std::string_view> lessonKeys() {
+    std::vector<std::string_view> names;
+    const auto add = [&](const auto& rows) {
+        for (const auto& row : rows) names.push_back(row.name);
+    };
+    add(kLessonKeys);
+    add(kStepKeys);
+    add(kAskKeys);
+    return names;
 }
 
 std::vector<LessonFault> syntaxFaults(const Lesson& lesson) {

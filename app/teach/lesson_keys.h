@@ -23,13 +23,7 @@ void readAskBlock(const LessonBlock& block, Question& question, std::vector<Less
 /// Faults of the values of a lesson that need no run: each value is one that its key can have.
 std::vector<LessonFault> syntaxFaults(const Lesson& lesson);
 
-/// A key, for help.
-struct LessonKey {
-    std::string_view block;  ///< "lesson", "step" or "ask".
-    std::string_view name;
-    std::string_view expected;  ///< "text", "a list of texts"
-};
-/// All keys, in the order of the tables.
-std::vector<LessonKey> lessonKeys();
+/// The names of all keys, in the order of the tables.
+std::vector<std::string_view> lessonKeys();
 
 }  // namespace se::teach
