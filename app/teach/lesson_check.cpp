@@ -254,22 +254,14 @@ class StepCheck {
                                        : "the outcome there is " + inQuotes(found));
     }
 
-    /// Finds the run that the step compares.
-    bool openCompared() {
-        const Result<RunSpec> spec = runSpec(setting_);
-        if (!spec) return malformed(step_.lines, "rules", spec.error().message);
-        const Result<SpecChange> change = changeFromWords(step_.compare);
-        if (!change) return malformed(step_.lines, "compare", change.error().message);
-        const Result<RunCursor*> b =
-            runs_.cursorOf(setting_, otherRun(spec.value(), change.value()));
-        if (!b) return malformed(step_.lines, "compare", b.error().message);
-        compared_.emplace(claimedRun(*b.value()));
-        return true;
-    }
-
     bool checkCompared() {
         if (step_.compare.empty()) return true;
-        if (!openCompared()) return false;
+        // Both could be read: the lesson has no faults, and the run of the step is open.
+        const RunSpec spec =
+            otherRun(runSpec(setting_).value(), changeFromWords(step_.compare).value());
+        const Result<RunCursor*> b = runs_.cursorOf(setting_, spec);
+        if (!b) return malformed(step_.lines, "compare", b.error().message);
+        compared_.emplace(claimedRun(*b.value()));
         const ClaimedRun a = claimedRun(*cursor_);
         return !compareMeshes(a.points.position, a.mesh, compared_->mesh).same() ||
                disagrees(step_.lines, "compare", "both runs make the same triangles");

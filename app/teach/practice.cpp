@@ -32,25 +32,16 @@ struct PracticeSample {
 constexpr PracticeSample kEvenSample{22, 0.12, 0.0, 9};
 constexpr PracticeSample kUnevenSample{26, 0.3, 0.6, 10};
 
-/// A copy of the points of a file that `keeps` is true for.
-template <typename Keeps>
-PointFile somePoints(const PointFile& file, Keeps&& keeps) {
-    PointFile some;
-    for (std::size_t i = 0; i < file.position.size(); ++i) {
-        if (!keeps(i)) continue;
-        some.position.push_back(file.position[i]);
-        some.normal.push_back(file.normal[i]);
-        some.type.push_back(file.type[i]);
-    }
-    return some;
-}
-
 PointSet practicePoints(const PracticeSample& sample, SplitMix& random) {
     const PointFile sheet =
         sampleSheet(flatSheet(), kPracticePerSide, sample.interior, random.bits());
-    PointFile file = somePoints(sheet, [&](std::size_t i) {
-        return isBoundary(sheet.type[i]) || random.unit() >= sample.taken;
-    });
+    PointFile file;
+    for (std::size_t i = 0; i < sheet.position.size(); ++i) {
+        if (!isBoundary(sheet.type[i]) && random.unit() < sample.taken) continue;
+        file.position.push_back(sheet.position[i]);
+        file.normal.push_back(sheet.normal[i]);
+        file.type.push_back(sheet.type[i]);
+    }
     constexpr double kInside = 0.95;
     for (std::size_t p = 0; p < file.position.size(); ++p) {
         Vec3& x = file.position[p];
