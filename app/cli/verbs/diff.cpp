@@ -1,6 +1,7 @@
 // spiraling-edge diff: the trace of another implementation beside the run of this one.
 #include "input.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "teach/find_named.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
 
@@ -28,8 +29,8 @@ struct DiffArguments : AnswerOptions {
 
     /// Throws Failure(Usage) if there is no stage of that name.
     std::optional<TraceStage> upto() const {
-        const auto found = teach::traceStageFromName(stage);
-        if (stage.empty() || found) return found;
+        if (stage.empty()) return std::nullopt;
+        if (const auto* row = teach::findNamed(teach::traceStages(), stage)) return row->id;
         refuse("--upto {}: no such stage; see spiraling-edge diff --help", stage);
     }
 };

@@ -116,9 +116,23 @@ ConformanceInput cloudInput(std::string_view name, std::string_view shows,
     return {name, shows, [=] { return cloudPoints(shape); }};
 }
 
-/// Inputs for rules that no figure and no sample of a surface shows.
-std::vector<ConformanceInput> rareInputs() {
+ConformanceInput sceneInput(std::string_view id, std::string_view shows) {
+    const Scene* scene = findScene(id);
+    assert(scene != nullptr);
+    return {id, shows, scene->build, scene->start};
+}
+
+/// Inputs for rules that no figure shows.
+std::vector<ConformanceInput> otherInputs() {
     return {
+        sceneInput("grid", "Points at one angle, on one sphere, and open steps"),
+        sceneInput("half-turn", "No move of start or end across 180 degrees"),
+        sceneInput("coarse-torus", "Angles that nearly agree"),
+        {"wide-gaps", "Gaps over 120 degrees, and holes of four edges", wideGaps},
+        {"revisited-points", "Points with several ring entries", revisitedPoints},
+        {"opposing-normals",
+         "Lists with neighbors that a run leaves out, since their normals oppose", opposingNormals},
+        {"failed-seed", "A seed that gets no triangle, and costs no point", failedSeed},
         {"open-steps", "Start and end do not move over open steps", findScene("figure-4")->build,
          openBay},
         {"open-hole", "A ring of three with an open step is no hole", findScene("figure-7")->build,
@@ -136,29 +150,12 @@ std::vector<ConformanceInput> rareInputs() {
     };
 }
 
-ConformanceInput sceneInput(std::string_view id, std::string_view shows) {
-    const Scene* scene = findScene(id);
-    assert(scene != nullptr);
-    return {id, shows, scene->build, scene->start};
-}
-
 std::vector<ConformanceInput> buildInputs() {
     std::vector<ConformanceInput> inputs;
     for (const Figure& figure : figures()) {
         if (figure.hasScene()) inputs.push_back(sceneInput(figure.scene.id, figure.scene.title));
     }
-    inputs.push_back(sceneInput("grid", "Points at one angle, on one sphere, and open steps"));
-    inputs.push_back(sceneInput("half-turn", "No move of start or end across 180 degrees"));
-    inputs.push_back(sceneInput("coarse-torus", "Angles that nearly agree"));
-    inputs.push_back({"wide-gaps", "Gaps over 120 degrees, and holes of four edges", wideGaps});
-    inputs.push_back({"revisited-points", "Points with several ring entries", revisitedPoints});
-    inputs.push_back({"opposing-normals",
-                      "Lists with neighbors that a run leaves out, since their "
-                      "normals oppose",
-                      opposingNormals});
-    inputs.push_back(
-        {"failed-seed", "A seed that gets no triangle, and costs no point", failedSeed});
-    for (const ConformanceInput& each : rareInputs()) inputs.push_back(each);
+    for (const ConformanceInput& each : otherInputs()) inputs.push_back(each);
     return inputs;
 }
 

@@ -196,11 +196,6 @@ const TraceStageRow& rowOf(TraceStage stage) {
     return kTraceStages[static_cast<std::size_t>(stage)];
 }
 
-std::optional<TraceStage> traceStageFromName(std::string_view name) {
-    const TraceStageRow* row = findNamed(kTraceStages, name);
-    return row != nullptr ? std::optional(row->id) : std::nullopt;
-}
-
 std::string pointsHash(const PointSet& points) {
     ByteHash hash;
     for (const Vec3& x : points.position) {
@@ -282,10 +277,8 @@ Status requireTraceOf(const Trace& trace, const PointSet& points, const std::str
 
 std::vector<Index> ringFrom(const EdgeRings& rings, Index entry) {
     std::vector<Index> points;
-    for (Index left = rings.length(rings.ringOf(entry)); left > 0; --left) {
-        points.push_back(rings.point(entry));
-        entry = rings.next(entry);
-    }
+    for (const Index each : RingEntries(rings, entry, rings.length(rings.ringOf(entry))))
+        points.push_back(rings.point(each));
     return points;
 }
 

@@ -14,7 +14,6 @@
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/given_start.h"
-#include "spiraling_edge/stepper/state.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::teach {
@@ -71,8 +70,6 @@ bool hasStage(const TracePivot& pivot, TraceStage stage);
 /// All stages, in the order of the enum.
 std::span<const TraceStageRow> traceStages();
 const TraceStageRow& rowOf(TraceStage stage);
-/// Nothing if there is no stage of that name.
-std::optional<TraceStage> traceStageFromName(std::string_view name);
 
 /// A trace.
 struct Trace {

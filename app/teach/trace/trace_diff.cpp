@@ -45,18 +45,15 @@ std::vector<TraceReason> reasonsFor(const std::vector<Event>& events, Stage last
                                     const PointSet& points, Index pivot,
                                     const std::vector<Index>& trace,
                                     const std::vector<Index>& run) {
-    const auto has = [](const std::vector<Index>& list, Index point) {
-        return std::find(list.begin(), list.end(), point) != list.end();
-    };
     std::vector<TraceReason> reasons;
-    for (const Index point : run) {
-        if (!has(trace, point))
-            reasons.push_back(reasonFor(events, last, points, pivot, point, false));
-    }
-    for (const Index point : trace) {
-        if (!has(run, point))
-            reasons.push_back(reasonFor(events, last, points, pivot, point, true));
-    }
+    const auto add = [&](const std::vector<Index>& list, const std::vector<Index>& other) {
+        for (const Index point : list) {
+            if (std::find(other.begin(), other.end(), point) == other.end())
+                reasons.push_back(reasonFor(events, last, points, pivot, point, &list == &trace));
+        }
+    };
+    add(run, trace);
+    add(trace, run);
     return reasons;
 }
 
@@ -121,12 +118,12 @@ std::vector<TraceReason> pivotReasons(const TracePivot& trace, const TracePivot&
     return reasons;
 }
 
-/// The decision for or against a fan as a whole; nothing if there was none.
-std::vector<TraceReason> fanReasons(const std::vector<Event>& events) {
+/// Adds the decision for or against a fan as a whole, if there was one.
+void addFanReason(const std::vector<Event>& events, std::vector<TraceReason>& reasons) {
     for (const Stage stage : {Stage::Guard, Stage::TwoPoint, Stage::Skip}) {
-        if (const Event* event = lastOf(events, stage)) return {sentenceReason(*event)};
+        if (const Event* event = lastOf(events, stage))
+            return reasons.push_back(sentenceReason(*event));
     }
-    return {};
 }
 
 /// The changes of the rings at the pivot.
@@ -134,8 +131,7 @@ std::vector<TraceReason> ringReasons(const std::vector<Event>& events) {
     std::vector<TraceReason> reasons;
     for (const Event& event : events) {
         const Stage stage = event.address.stage;
-        if (stage == Stage::Ring || stage == Stage::Split || stage == Stage::Join ||
-            stage == Stage::Advance)
+        if (stage >= Stage::Ring && stage <= Stage::Advance)  // Also Split and Join.
             reasons.push_back(sentenceReason(event));
     }
     return reasons;
@@ -255,7 +251,7 @@ TraceDifference differenceAt(TracePivot trace, std::optional<TracePivot> run,
         const bool noFan =
             *stage == TraceStage::Emit && found.trace->fan->empty() != found.run->fan->empty();
         if (noFan) {
-            for (TraceReason& each : fanReasons(events)) found.reasons.push_back(std::move(each));
+            addFanReason(events, found.reasons);
             found.what += found.run->fan->empty() ? ": ours has none" : ": yours has none";
         } else if (found.reasons.empty() && found.both.empty()) {
             found.what += ": the same points in another order";
