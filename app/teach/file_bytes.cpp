@@ -15,10 +15,10 @@ void ByteHash::add(std::string_view bytes) {
 
 void ByteHash::add(double number) {
     const auto bits = bitsAs<std::uint64_t>(number);
-    std::array<char, 8> bytes{};
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
-    add(std::string_view(bytes.data(), bytes.size()));
+    for (int shift = 0; shift < 64; shift += 8) {
+        const char byte = static_cast<char>(static_cast<unsigned char>(bits >> shift));
+        add(std::string_view(&byte, 1));
+    }
 }
 
 std::string ByteHash::text() const {

@@ -26,12 +26,6 @@
 namespace se::teach {
 namespace {
 
-/// A wrong sign outside of strings and comments.
-struct StraySign {
-    std::size_t line = 0;   ///< From 1; 0: there is none.
-    std::string_view what;  ///< What is wrong, for the message.
-};
-
 /// Length of the string at the start of `text`, with its quotes. One that is not closed ends with
 /// its line, or with the text: toml++ refuses it there.
 std::size_t stringLength(std::string_view text) {
@@ -57,12 +51,12 @@ std::size_t tokenLength(std::string_view text) {
     return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
 }
 
-/// The first bracket that closes no bracket of its kind, or that begins the header of a table,
-/// which no block of a lesson has; or the first byte beyond ASCII.
-StraySign strayTomlSign(std::string_view toml) {
-    constexpr std::string_view kBracket =
-        "a bracket that does not belong there; a table is written as { ... }";
-    constexpr std::string_view kLetter =
+/// The first wrong sign outside of strings and comments, with its line of the block; line 0: there
+/// is none. A bracket that closes no bracket of its kind, or that begins the header of a table,
+/// which no block of a lesson has; or a byte beyond ASCII.
+LessonFault strayTomlSign(std::string_view toml) {
+    constexpr auto kBracket = "a bracket that does not belong there; a table is written as { ... }";
+    constexpr auto kLetter =
         "a letter or sign that does not belong there; texts stand in \"quotation marks\"";
     std::string open;
     std::size_t line = 1;
@@ -70,12 +64,12 @@ StraySign strayTomlSign(std::string_view toml) {
     while (!toml.empty()) {
         const std::size_t length = tokenLength(toml);
         const std::string_view token = toml.substr(0, length);
-        if (static_cast<unsigned char>(token.front()) > 0x7F) return {line, kLetter};
-        if (token == "[" && startsLine && open.empty()) return {line, kBracket};
+        if (static_cast<unsigned char>(token.front()) > 0x7F) return {line, "", kLetter};
+        if (token == "[" && startsLine && open.empty()) return {line, "", kBracket};
         if (token == "[") open += ']';
         if (token == "{") open += '}';
         if (token == "]" || token == "}") {
-            if (open.empty() || open.back() != token.front()) return {line, kBracket};
+            if (open.empty() || open.back() != token.front()) return {line, "", kBracket};
             open.pop_back();
         }
         line += static_cast<std::size_t>(std::count(token.begin(), token.end(), '\n'));
@@ -331,9 +325,9 @@ template <typename Target>
 void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
                std::vector<LessonFault>& faults) {
     target.lines.block = block.line;
-    if (const StraySign stray = strayTomlSign(block.toml); stray.line > 0) {
-        faults.push_back({block.line + stray.line, "", std::string(stray.what)});
-        return;
+    if (LessonFault stray = strayTomlSign(block.toml); stray.line > 0) {
+        stray.line += block.line;
+        return faults.push_back(std::move(stray));
     }
     const toml::parse_result parsed = toml::parse(block.toml);
     if (!parsed) {

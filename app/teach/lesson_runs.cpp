@@ -57,13 +57,6 @@ std::size_t trianglesAt(const DecisionState& state) {
                                      : state.finishedTriangles + state.newTriangles.size();
 }
 
-/// Goes to the position of the answer: that of `until`, else the end of the pivot.
-Status goToAnswer(RunCursor& cursor, const StepSetting& setting) {
-    if (!setting.answerPlace.empty()) return goToPlace(cursor, setting.answerPlace);
-    cursor.forward(StepUnit::Pivot);
-    return success();
-}
-
 }  // namespace
 
 Result<PointFile> buildScene(const std::string& source) {
@@ -83,15 +76,6 @@ Result<std::string> pointsSource(std::string source) {
             lessonSource(reading.value().lesson.input, std::filesystem::path(source).parent_path());
     }
     return source;
-}
-
-Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit,
-                                   Unpack unpack) {
-    const Result<std::string> input = pointsSource(source);
-    if (!input) return input.error();
-    if (input.value().starts_with(kScenePrefix)) return buildScene(input.value());
-    if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
-    return readPoints(std::filesystem::path(input.value()), limit, unpack);
 }
 
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
@@ -129,6 +113,15 @@ Status goToPlace(RunCursor& cursor, std::string_view place) {
     return Error{absenceText(cursor, *address)};
 }
 
+// A built-in scene, a task, or a file, also a packed one if there is an `unpack_`.
+Result<PointFile> LessonRuns::pointsOf(const std::string& source) const {
+    const Result<std::string> input = pointsSource(source);
+    if (!input) return input.error();
+    if (isScene(input.value())) return buildScene(input.value());
+    if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
+    return readPoints(std::filesystem::path(input.value()), limit_, unpack_);
+}
+
 LessonRuns::LessonRuns(std::filesystem::path folder, const ByteLimit& limit, Unpack unpack)
     : folder_(std::move(folder)), limit_(limit), unpack_(unpack) {}
 
@@ -143,7 +136,7 @@ Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSpe
     const std::string key = source + '\n' + keyOf(spec);
     if (const auto known = cursors_.find(key); known != cursors_.end()) return known->second.get();
     if (files_.count(source) == 0) {
-        Result<PointFile> file = readLessonPoints(source, limit_, unpack_);
+        Result<PointFile> file = pointsOf(source);
         if (!file) return file.error();
         files_.emplace(source, std::move(file.value()));
     }
@@ -157,7 +150,11 @@ Result<RunRange> rangeOf(RunCursor& cursor, const StepSetting& setting, const Qu
     RunRange range;
     Status moved = goToPlace(cursor, setting.at);
     if (!moved) return moved.error();
-    if (moved = goToAnswer(cursor, setting); !moved) return moved.error();
+    if (setting.answerPlace.empty()) {
+        cursor.forward(StepUnit::Pivot);
+    } else if (moved = goToPlace(cursor, setting.answerPlace); !moved) {
+        return moved.error();
+    }
     const std::optional<Event> last =
         cursor.event() ? std::optional(*cursor.event()) : std::nullopt;
     range.after = cursor.state();

@@ -24,11 +24,6 @@ Result<PointFile> buildScene(const std::string& source);
 /// lessons form a cycle, or if one of them is faulty.
 Result<std::string> pointsSource(std::string source);
 
-/// Reads the points of pointsSource(): a built-in scene, or a file, also a packed one if there is
-/// an `unpack`.
-Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit = {},
-                                   Unpack unpack = nullptr);
-
 /// The input of a lesson in the folder `folder` as a path for the program, or scene:ID.
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder);
 
@@ -59,6 +54,9 @@ class LessonRuns {
     Result<RunCursor*> cursorOf(const StepSetting& setting, const RunSpec& spec);
 
   private:
+    /// The points of pointsSource().
+    Result<PointFile> pointsOf(const std::string& source) const;
+
     std::filesystem::path folder_;
     ByteLimit limit_;
     Unpack unpack_;

@@ -127,13 +127,6 @@ Status requireWhole(const TracePivot& pivot, TraceStage upto, const std::string&
         std::string(rowOf(upto).field) + ": expected a list of points, it is missing");
 }
 
-std::vector<Index> candidatePoints(const State& state) {
-    std::vector<Index> points;
-    points.reserve(state.pivot.candidates.size());
-    for (const Candidate& each : state.pivot.candidates) points.push_back(each.point);
-    return points;
-}
-
 void addOpenSteps(const EdgeRings& rings, Index ring, std::vector<RingStep>& open) {
     for (const Index entry : rings.entriesOf(ring)) {
         if (rings.open(entry)) open.push_back({rings.point(entry), rings.point(rings.next(entry))});
@@ -159,8 +152,9 @@ void recordRings(const State& state, TracePivot& pivot) {
 /// Records what the phase that just ran has left.
 void recordStage(Phase phase, const State& state, TracePivot& pivot) {
     for (const TraceStageRow& row : traceStages()) {
-        if (row.phase == phase && row.id < TraceStage::Emit)
-            pivot.*row.points = candidatePoints(state);
+        if (row.phase != phase || row.id >= TraceStage::Emit) continue;
+        std::vector<Index>& points = (pivot.*row.points).emplace();
+        for (const Candidate& each : state.pivot.candidates) points.push_back(each.point);
     }
     if (phase != Phase::Convex) return;
     pivot.start = state.rings.point(state.pivot.start);
