@@ -197,16 +197,16 @@ std::vector<Index> keptIn(const RunRange& range) {
     return candidatesIn(range.after, CandidateState::Kept);
 }
 
-Result<Answer> refusedPoints(const RunRange& range, const QuestionContext&) {
-    return Answer{.points = sortedSet(refusedIn(range))};
-}
-Result<Answer> keptPoints(const RunRange& range, const QuestionContext&) {
-    return Answer{.points = sortedSet(keptIn(range))};
-}
-Result<Answer> fanPoints(const RunRange& range, const QuestionContext&) {
+std::vector<Index> fanOf(const RunRange& range) {
     std::vector<Index> points;
     for (const RingPoint& each : range.after.fan()) points.push_back(each.point);
-    return Answer{.points = sortedSet(std::move(points))};
+    return points;
+}
+
+/// Points of a run as an answer.
+template <std::vector<Index> (*find)(const RunRange&)>
+Result<Answer> pointsFrom(const RunRange& range, const QuestionContext&) {
+    return Answer{.points = sortedSet(find(range))};
 }
 
 Result<Answer> onePoint(Index point) {
@@ -285,9 +285,9 @@ std::size_t stackedLength(const RunRange& range) {
 std::size_t ringCount(const RunRange& range) { return range.after.rings.size(); }
 
 constexpr std::array kRunAnswers{
-    RunAnswer{"refused", "points", refusedPoints},
-    RunAnswer{"kept", "points", keptPoints},
-    RunAnswer{"fan", "points", fanPoints},
+    RunAnswer{"refused", "points", pointsFrom<refusedIn>},
+    RunAnswer{"kept", "points", pointsFrom<keptIn>},
+    RunAnswer{"fan", "points", pointsFrom<fanOf>},
     RunAnswer{"next", "point", nextPivot},
     RunAnswer{"start", "point", startPoint},
     RunAnswer{"end", "point", endPoint},

@@ -39,18 +39,17 @@ GivenAnswer emptyAnswer(const Lesson& lesson, std::size_t step) {
 
 std::string withoutText(const std::string& what) { return "without " + what; }
 
-/// The first wrong move, or the one that is missing.
-std::vector<std::string> wrongMoves(const Answer& given, const Answer& right,
-                                    const std::vector<NamedPoint>& names) {
-    const std::size_t alike = movesAlike(given.moves, right.moves);
-    if (alike < given.moves.size()) return {moveText(given.moves[alike], names)};
-    return {withoutText(moveText(right.moves[alike], names))};
-}
-
-/// FirstTry::mistakes of an answer that was graded.
-std::vector<std::string> mistakesIn(const GivenAnswer& answer, const Grade& grade,
+/// FirstTry::mistakes of an answer that was graded; of a played pivot the first wrong move, or the
+/// one that is missing.
+std::vector<std::string> mistakesIn(const GivenAnswer& answer, const Answer& given,
+                                    const Answer& right, const Grade& grade,
                                     const std::vector<NamedPoint>& names) {
     if (answer.right) return {};
+    if (answer.kind == "play") {
+        const std::size_t alike = movesAlike(given.moves, right.moves);
+        if (alike < given.moves.size()) return {moveText(given.moves[alike], names)};
+        return {withoutText(moveText(right.moves[alike], names))};
+    }
     std::vector<std::string> mistakes = answer.wrong;
     if (answer.kind != "points") return mistakes;
     for (const std::string& name : namesOf(grade.missing, names))
@@ -198,9 +197,7 @@ GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& g
     if (!grade.right && grade.wrong.empty() && !hasPoints) answer.wrong = answer.given;
     answer.right = grade.right;
     answer.score = grade.score;
-    answer.first = FirstTry{answer.given, !grade.right && answer.kind == "play"
-                                              ? wrongMoves(given, right.answer, names)
-                                              : mistakesIn(answer, grade, names)};
+    answer.first = FirstTry{answer.given, mistakesIn(answer, given, right.answer, grade, names)};
     return answer;
 }
 
