@@ -1,5 +1,6 @@
 #include "link.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -12,6 +13,7 @@
 #include "jobs/open_lesson.h"
 #include "run/packed_file.h"
 #include "run/sample_spec.h"
+#include "run/strings.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -19,6 +21,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/spec_fields.h"
 #include "teach/embedded_lessons.h"
+#include "teach/find_named.h"
 #include "teach/practice.h"
 
 namespace se::view {
@@ -35,8 +38,6 @@ Error expected(std::string_view what) { return Error{"expected " + std::string(w
 
 // ---- percent coding ----
 
-constexpr std::string_view kHexDigits = "0123456789ABCDEF";
-
 bool isPlainInLink(char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     return letter || std::string_view("-._~,:/@=+*").find(c) != std::string_view::npos;
@@ -47,12 +48,9 @@ void appendCoded(std::string& link, std::string_view text) {
     for (const char c : text) {
         if (isPlainInLink(c)) {
             link += c;
-            continue;
+        } else {
+            link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
         }
-        const auto byte = static_cast<unsigned char>(c);
-        link += '%';
-        link += kHexDigits[byte >> 4U];
-        link += kHexDigits[byte & 15U];
     }
 }
 
@@ -63,17 +61,13 @@ Result<std::string> decoded(std::string_view text) {
             plain += text[i];
             continue;
         }
-        std::size_t byte = 0;
-        for (std::size_t digit = i + 1; digit < i + 3; ++digit) {
-            const int sign =
-                digit < text.size() ? std::toupper(static_cast<unsigned char>(text[digit])) : 0;
-            const std::size_t value =
-                sign == 0 ? std::string_view::npos : kHexDigits.find(static_cast<char>(sign));
-            if (value == std::string_view::npos)
-                return Error{inQuotes(text.substr(i, 3)) +
-                             " in the link is no byte: two hexadecimal digits follow a %."};
-            byte = 16 * byte + value;
-        }
+        const std::string_view digits = text.substr(i + 1, 2);
+        unsigned byte = 0;
+        const auto [end, problem] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+        if (problem != std::errc{} || end != digits.data() + 2)
+            return Error{inQuotes(text.substr(i, 3)) +
+                         " in the link is no byte: two hexadecimal digits follow a %."};
         if (byte < 32 || byte == 127)
             return Error{inQuotes(text.substr(i, 3)) + " in the link is a control character."};
         plain += static_cast<char>(byte);
@@ -223,20 +217,14 @@ Status setCamera(Options& o, std::string_view text) {
     return success();
 }
 
-/// With four significant digits; the same on every machine.
-std::string fourDigits(double value) {
-    std::array<char, 32> out{};
-    std::snprintf(out.data(), out.size(), "%.4g", value == 0.0 ? 0.0 : value);
-    return out.data();
-}
-
 Text cameraText(const Options& o) {
     if (!o.camera) return std::nullopt;
     const CameraPose& c = *o.camera;
     std::string text;
     for (const float each :
          {c.target.x, c.target.y, c.target.z, c.distance, c.yawDegrees, c.pitchDegrees})
-        text.append(text.empty() ? "" : ",").append(fourDigits(static_cast<double>(each)));
+        text.append(text.empty() ? "" : ",")
+            .append(formatted("%.4g", each == 0.0F ? 0.0 : static_cast<double>(each)));
     if (c.orthographic) text += ",orthographic";
     if (c.up != UpAxis::Z) text.append(",").append(upAxisName(c.up));
     return text;
@@ -260,11 +248,7 @@ Status setHash(Options& o, std::string_view text) {
 }
 
 Text hashText(const Options& o) {
-    if (!o.stateHash) return std::nullopt;
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx",
-                  static_cast<unsigned long long>(*o.stateHash));
-    return digits.data();
+    return o.stateHash ? Text(fmt::format("{:016x}", *o.stateHash)) : std::nullopt;
 }
 
 // ---- looks ----
@@ -390,12 +374,6 @@ const std::array kLinkParts{
              [](const Options& o) { return textIf(o.focus, ""); }},
 };
 
-const LinkPart* findLinkPart(std::string_view name) {
-    const auto found = std::find_if(kLinkParts.begin(), kLinkParts.end(),
-                                    [&](const LinkPart& each) { return each.name == name; });
-    return found == kLinkParts.end() ? nullptr : found;
-}
-
 Error unknownPart(std::string_view name) {
     std::vector<std::string_view> known;
     known.reserve(kLinkParts.size() + specFields().size());
@@ -467,7 +445,7 @@ Status readPair(LinkReading& reading, std::string_view pair) {
     const Result<std::string> value =
         decoded(equals < pair.size() ? pair.substr(equals + 1) : std::string_view{});
     if (!value) return value.error();
-    if (const LinkPart* part = findLinkPart(name.value()))
+    if (const LinkPart* part = teach::findNamed(kLinkParts, name.value()))
         return readPart(reading, *part, value.value());
     if (const SpecField* field = fieldFor(name.value(), value.value()))
         return readField(reading, *field, value.value());
@@ -500,27 +478,23 @@ Status requireFit(const LinkReading& reading) {
     return success();
 }
 
-std::string_view withoutBlanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 }  // namespace
 
 std::span<const LinkPart> linkParts() { return kLinkParts; }
 
-bool isLink(std::string_view text) {
-    text = withoutBlanks(text);
+bool isLink(std::string_view given) {
+    const std::string text = trimmed(given, kBlanks);
     const std::size_t hash = text.find('#');
     if (hash == std::string_view::npos) return false;
-    const std::string_view parts = text.substr(hash + 1);
+    const std::string_view parts = std::string_view(text).substr(hash + 1);
     const std::string_view name = parts.substr(0, parts.find_first_of("=&"));
-    return hash == 0 || findLinkPart(name) != nullptr || findSpecField(name) != nullptr;
+    return hash == 0 || teach::findNamed(kLinkParts, name) != nullptr ||
+           findSpecField(name) != nullptr;
 }
 
-Result<Options> optionsFromLink(std::string_view text) {
-    text = withoutBlanks(text);
+Result<Options> optionsFromLink(std::string_view given) {
+    const std::string whole = trimmed(given, kBlanks);
+    std::string_view text = whole;
     if (const std::size_t hash = text.find('#'); hash != std::string_view::npos)
         text.remove_prefix(hash + 1);
     LinkReading reading;

@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "layer.h"
+#include "run/strings.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
+#include "teach/find_named.h"
 
 namespace se::view {
 
@@ -71,9 +73,7 @@ std::string_view layerModeName(LayerMode mode) {
 }
 
 std::optional<LayerMode> layerModeFromName(std::string_view name) {
-    const auto found = std::find(kModeNames.begin(), kModeNames.end(), name);
-    if (found == kModeNames.end()) return std::nullopt;
-    return static_cast<LayerMode>(found - kModeNames.begin());
+    return idNamed<LayerMode>(kModeNames, name);
 }
 
 LayerMode& modeOf(LayerModes& modes, LayerId id) { return modes[static_cast<std::size_t>(id)]; }
@@ -113,13 +113,6 @@ namespace {
 
 using nlohmann::json;
 
-const Layer* findLayer(const std::string& name) {
-    const auto all = layers();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Layer& each) { return each.name == name; });
-    return found == all.end() ? nullptr : &*found;
-}
-
 std::optional<LayerMode> modeFrom(const json& value, const Layer& layer) {
     if (value.is_string()) return layerModeFromName(value.get<std::string>());
     if (!value.is_boolean()) return std::nullopt;
@@ -143,7 +136,7 @@ ReadLayers layersFromJson(const json& object) {
         return read;
     }
     for (const auto& [name, value] : object.items()) {
-        const Layer* layer = findLayer(name);
+        const Layer* layer = teach::findNamed(layers(), name);
         if (layer == nullptr) {
             read.unknown.push_back("layer " + inQuotes(name));
         } else if (const auto mode = modeFrom(value, *layer)) {

@@ -16,7 +16,9 @@ namespace se::view {
 
 namespace {
 
-std::optional<double> typedNumber(const std::string& text) { return numberFromText(trimmed(text)); }
+std::optional<double> typedNumber(const std::string& text) {
+    return numberIn<double>(trimmed(text));
+}
 
 Result<SampleSpec> surfaceIn(const GrowthForm& form) {
     SampleSpec spec;
@@ -128,7 +130,7 @@ bool isOff(const RunSpec& spec, const char* rule) {
 }
 
 /// Digits of a suggested value.
-double rounded(double value) { return numberFromText(formatted("%.4g", value)).value_or(value); }
+double rounded(double value) { return numberIn<double>(formatted("%.4g", value)).value_or(value); }
 
 /// The fewest digits that are closer than a tenth of the tolerance of a wall.
 std::string proposed(double value, const WallBox& box) {
@@ -137,7 +139,7 @@ std::string proposed(double value, const WallBox& box) {
     for (int digits = 4; digits < 17; ++digits) {
         char text[40];
         std::snprintf(text, sizeof text, "%.*g", digits, value);
-        const double read = numberFromText(text).value_or(value + 2.0 * off);
+        const double read = numberIn<double>(text).value_or(value + 2.0 * off);
         if (std::abs(read - value) <= off) return exact(read);
     }
     return exact(value);

@@ -43,7 +43,7 @@ KeptContent contentOf(const fs::path& path) {
     std::optional<std::string> text = readText(path);
     if (!text) return unreadable(" cannot be read");
     // A file without content has nothing that could be lost.
-    if (text->find_first_not_of(" \t\r\n") == std::string::npos) return {};
+    if (trimmed(*text, kBlanks).empty()) return {};
     const auto damaged = [&](std::string why) {
         return KeptContent{KeptFate::Damaged, *text, json::object(), std::move(why)};
     };

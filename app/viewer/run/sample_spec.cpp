@@ -19,7 +19,7 @@ namespace {
 
 /// Parses one `key=value`. Empty: there is no such key; false: the value is wrong.
 std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
-    const auto number = numberFromText(value);
+    const auto number = numberIn<double>(value);
     const auto whole = numberIn<std::uint64_t>(value);
     if (key == "n") {
         spec.count = static_cast<std::size_t>(whole.value_or(0));

@@ -19,10 +19,10 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
-std::string trimmed(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(" \t");
+std::string trimmed(std::string_view text, std::string_view signs) {
+    const std::size_t from = text.find_first_not_of(signs);
     if (from == std::string_view::npos) return {};
-    return std::string(text.substr(from, text.find_last_not_of(" \t") - from + 1));
+    return std::string(text.substr(from, text.find_last_not_of(signs) - from + 1));
 }
 
 std::string formatted(const char* format, double a, double b, double c) {
@@ -105,12 +105,6 @@ std::string exact(double value) {
     return text;
 }
 
-std::optional<double> numberFromText(std::string_view text) {
-    double value = 0.0;
-    return io::parseDouble(text, value) && std::isfinite(value) ? std::optional(value)
-                                                                : std::nullopt;
-}
-
 std::string boxText(const WallBox& box, char between) {
     std::string text;
     for (const Vec3& corner : {box.low, box.high}) {
@@ -156,7 +150,7 @@ std::string withShortNumbers(std::string_view sentence) {
         if (found->significant <= kDigits) {
             text += number;
         } else {
-            const double value = numberFromText(number).value_or(0.0);
+            const double value = numberIn<double>(number).value_or(0.0);
             text += withoutMinusZero(found->before >= kDigits ? "%.0f" : "%.4g", value);
         }
     }

@@ -1,6 +1,7 @@
 /// Helpers for text, numbers and files, shared by several rooms. ASCII, independent of the locale.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -18,8 +19,17 @@ namespace se::view {
 
 /// Lower case of A to Z; all other bytes unchanged.
 std::string lowerCase(std::string_view text);
-/// Text without spaces and tabs at both ends.
-std::string trimmed(std::string_view text);
+/// Text without these signs at both ends, by default spaces and tabs.
+std::string trimmed(std::string_view text, std::string_view signs = " \t");
+/// With ends of lines.
+inline constexpr std::string_view kBlanks = " \t\r\n";
+/// The value of an enumeration by its name in a list of all; nothing for another name.
+template <typename Id, typename Names>
+std::optional<Id> idNamed(const Names& names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<Id>(found - names.begin()));
+}
 /// Text formatted as by printf; at most 119 bytes.
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
@@ -34,8 +44,6 @@ std::optional<std::string> readText(const std::filesystem::path& path);
 
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
-/// Parses one finite number; the whole text must match.
-std::optional<double> numberFromText(std::string_view text);
 
 /// "x0,y0,z0,x1,y1,z1", with the character `between` instead of the commas.
 std::string boxText(const WallBox& box, char between);

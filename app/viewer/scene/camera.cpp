@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "run/model.h"
+#include "run/strings.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -91,9 +92,7 @@ bool isForMeshes(const std::filesystem::path& path) {
 std::string_view upAxisName(UpAxis axis) { return kNames[static_cast<std::size_t>(axis)]; }
 
 std::optional<UpAxis> upAxisFromName(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) return std::nullopt;
-    return static_cast<UpAxis>(found - kNames.begin());
+    return idNamed<UpAxis>(kNames, name);
 }
 
 UpAxis guessUpAxis(const PointSet& points, std::string_view source) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "teach/find_named.h"
+
 namespace se::view {
 
 namespace {
@@ -23,9 +25,8 @@ constexpr std::array<PointTintRow, 2> kTints = {{
 
 template <typename Id, std::size_t N>
 std::optional<Id> idOf(const std::array<StyleRow<Id>, N>& rows, std::string_view name) {
-    const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
-    return found == rows.end() ? std::nullopt : std::optional(found->id);
+    const StyleRow<Id>* row = teach::findNamed(rows, name);
+    return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 
 }  // namespace

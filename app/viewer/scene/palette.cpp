@@ -1,14 +1,16 @@
 #include "palette.h"
 
+#include <algorithm>
 #include <array>
 
-#include <algorithm>
-
+#include "run/strings.h"
 #include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 
 namespace {
+
+constexpr std::array<std::string_view, 2> kThemeNames = {"dark", "light"};
 
 constexpr Palette kDark = {
     .background = fromHex(0x1E2126),
@@ -55,12 +57,10 @@ constexpr Palette kLight = {
 }  // namespace
 
 std::optional<Theme> themeFromName(std::string_view name) {
-    if (name == "dark") return Theme::Dark;
-    if (name == "light") return Theme::Light;
-    return std::nullopt;
+    return idNamed<Theme>(kThemeNames, name);
 }
 
-std::string_view themeName(Theme theme) { return theme == Theme::Dark ? "dark" : "light"; }
+std::string_view themeName(Theme theme) { return kThemeNames[static_cast<std::size_t>(theme)]; }
 
 const Palette& paletteOf(Theme theme) { return theme == Theme::Dark ? kDark : kLight; }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "teach/find_named.h"
+
 namespace se::view {
 
 namespace {
@@ -25,10 +27,8 @@ const LayoutPresetRow& rowOf(LayoutPreset layoutPreset) {
 
 std::optional<LayoutPreset> layoutPresetFromName(std::string_view name) {
     if (opensLessons(name)) return LayoutPreset::Debug;
-    const auto found = std::find_if(kLayoutPresets.begin(), kLayoutPresets.end(),
-                                    [&](const LayoutPresetRow& row) { return row.name == name; });
-    if (found == kLayoutPresets.end()) return std::nullopt;
-    return found->id;
+    const LayoutPresetRow* row = teach::findNamed(kLayoutPresets, name);
+    return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 
 LayoutPreset following(LayoutPreset layoutPreset) {

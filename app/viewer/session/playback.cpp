@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "run/strings.h"
+
 namespace se::view {
 
 namespace {
@@ -13,16 +15,8 @@ constexpr int kMaxAtOnce = 8;
 
 }  // namespace
 
-std::string_view unitName(PlayUnit unit) {
-    constexpr std::array<std::string_view, 3> kNames = {"sub-step", "pivot", "event"};
-    return kNames[static_cast<std::size_t>(unit)];
-}
-
 std::optional<PlayUnit> unitFromName(std::string_view name) {
-    for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
-        if (unitName(unit) == name) return unit;
-    }
-    return std::nullopt;
+    return idNamed<PlayUnit>(kUnitNames, name);
 }
 
 PlayUnit following(PlayUnit unit) {

@@ -1,6 +1,8 @@
 /// Playing: the number of steps that are due. Plain arithmetic; the caller makes the steps.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -15,8 +17,11 @@ enum class PlayUnit : std::uint8_t {
     Event,  ///< To the next split, join, seed or alert.
 };
 
-/// "sub-step", "pivot", "event".
-std::string_view unitName(PlayUnit unit);
+/// Names of the units, in their order.
+inline constexpr std::array<std::string_view, 3> kUnitNames = {"sub-step", "pivot", "event"};
+inline std::string_view unitName(PlayUnit unit) {
+    return kUnitNames[static_cast<std::size_t>(unit)];
+}
 /// Nothing for another name.
 std::optional<PlayUnit> unitFromName(std::string_view name);
 /// The next unit; after the last, the first.

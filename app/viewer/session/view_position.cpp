@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "run/strings.h"
 #include "spiraling_edge/stepper/event.h"
 #include "teach/json_text.h"
 
@@ -67,12 +68,9 @@ Result<ViewPosition> viewPositionFromText(std::string_view text) {
     const Result<json> read = teach::jsonFromText<json>(text, "The position");
     if (!read && text.find('{') != std::string_view::npos) return read.error();
     if (!read || !read.value().is_object()) {
-        const auto first = text.find_first_not_of(" \t\r\n");
-        const auto last = text.find_last_not_of(" \t\r\n");
-        if (first == std::string_view::npos) return unknown;
-        text = text.substr(first, last - first + 1);
-        if (!addressFromString(text)) return unknown;
-        return ViewPosition{std::string(text), std::nullopt};
+        const std::string address = trimmed(text, kBlanks);
+        if (!addressFromString(address)) return unknown;
+        return ViewPosition{address, std::nullopt};
     }
     const json& object = read.value();
     const auto address = object.find("address");
