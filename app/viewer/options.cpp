@@ -92,7 +92,7 @@ void requireViewer(const CLI::App& app, const RawExport& raw) {
 }
 
 FrameRange rangeOf(const RawExport& raw) {
-    const FrameUnit unit = frameUnitFromName(raw.unit).value_or(FrameUnit::SubStep);
+    const PlayUnit unit = unitFromName(raw.unit).value_or(PlayUnit::SubStep);
     if (raw.around.empty()) return {raw.from, raw.to, unit};
     Result<FrameRange> range = rangeAround(raw.around);
     if (!range) throw CLI::ValidationError("--around", range.error().message);
@@ -108,7 +108,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     auto* from = add("--from", raw.from);
     from->needs(add("--to", raw.to)->needs(from));
     add("--around", raw.around)->excludes(from);
-    add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(frameUnitNames()));
+    add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(kUnitNames));
     add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
     add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));

@@ -14,9 +14,6 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array kUnits = {std::string_view("sub-step"), std::string_view("pivot"),
-                               std::string_view("event")};
-
 /// Adds the numbers of "4" or "4-6".
 bool addSteps(std::string_view part, std::size_t count, std::vector<std::size_t>& steps) {
     const std::size_t dash = part.find('-');
@@ -29,14 +26,6 @@ bool addSteps(std::string_view part, std::size_t count, std::vector<std::size_t>
 }
 
 }  // namespace
-
-std::vector<std::string> frameUnitNames() { return {kUnits.begin(), kUnits.end()}; }
-
-std::optional<FrameUnit> frameUnitFromName(std::string_view name) {
-    const auto found = std::find(kUnits.begin(), kUnits.end(), name);
-    if (found == kUnits.end()) return std::nullopt;
-    return static_cast<FrameUnit>(found - kUnits.begin());
-}
 
 Status checkViewerAddress(const std::string& address) {
     const std::string scheme = address.substr(0, address.find_first_of(":/"));
@@ -65,7 +54,7 @@ Result<FrameRange> rangeAround(const std::string& address) {
     const auto at = addressFromString(address);
     if (!at) return Error{address + ": expected a pivot or an address such as 9.sphere.2"};
     const std::string pivot = std::to_string(at->pivot);
-    return FrameRange{pivot, pivot, FrameUnit::SubStep};
+    return FrameRange{pivot, pivot, PlayUnit::SubStep};
 }
 
 Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_t count) {
@@ -86,10 +75,10 @@ Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_
 namespace {
 
 /// Whether the frame of this event is one of the range.
-bool isFrame(const RunCursor& cursor, FrameUnit unit) {
+bool isFrame(const RunCursor& cursor, PlayUnit unit) {
     const Event* event = cursor.event();
-    if (event == nullptr || unit == FrameUnit::SubStep) return true;
-    if (unit == FrameUnit::Pivot) return event == &cursor.pivot().events.back();
+    if (event == nullptr || unit == PlayUnit::SubStep) return true;
+    if (unit == PlayUnit::Pivot) return event == &cursor.pivot().events.back();
     const Stage stage = event->address.stage;
     return stage == Stage::Seed || stage == Stage::Split || stage == Stage::Join ||
            std::holds_alternative<AlertEvidence>(event->evidence);

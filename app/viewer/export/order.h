@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "run/model.h"
+#include "session/playback.h"
 #include "spiraling_edge/base/result.h"
 #include "teach/lesson.h"
 
@@ -25,21 +26,11 @@ inline constexpr double kMostArea = 16384.0 * 16384.0;
 inline constexpr double kLeastPerSecond = 0.1;
 inline constexpr double kMostPerSecond = 60.0;
 
-/// Distance of two frames of a range.
-enum class FrameUnit : std::uint8_t {
-    SubStep,  ///< Every decision.
-    Pivot,    ///< The end of every pivot.
-    Event,    ///< Seeds, splits, joins and alerts, as Ctrl+Right.
-};
-/// Names of the units, in their order.
-std::vector<std::string> frameUnitNames();
-std::optional<FrameUnit> frameUnitFromName(std::string_view name);
-
 /// A part of a run, from one position to another, both included.
 struct FrameRange {
     std::string from;
     std::string to;
-    FrameUnit unit = FrameUnit::SubStep;
+    PlayUnit unit = PlayUnit::SubStep;  ///< Distance of two frames.
 };
 /// The range of all decisions of the pivot of an address. Fails if it is no address.
 Result<FrameRange> rangeAround(const std::string& address);

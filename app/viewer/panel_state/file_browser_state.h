@@ -147,7 +147,7 @@ struct ExportForm : ChosenFormat<exportFormats, exportFormatOf> {
     ExportFrames frames = ExportFrames::Picture;
     std::string from;
     std::string to;
-    FrameUnit unit = FrameUnit::SubStep;
+    PlayUnit unit = PlayUnit::SubStep;
     std::string steps;  ///< "2,4-6"; empty: all.
     std::string size = "1280x800";
     bool captions = true;

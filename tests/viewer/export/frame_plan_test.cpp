@@ -34,13 +34,13 @@ TEST_CASE("A pivot as the last position ends with its last decision") {
 }
 
 TEST_CASE("Frames of pivots are their last decisions, those of events seeds, splits and joins") {
-    const FramePlan pivots = planFrames(*figure8(), {"0", "3", FrameUnit::Pivot}).value();
+    const FramePlan pivots = planFrames(*figure8(), {"0", "3", PlayUnit::Pivot}).value();
     REQUIRE(pivots.places.size() == 4);
     CHECK(pivots.places[0].empty());
     CHECK(pivots.places[1].starts_with("1.advance"));
     LoadProgress progress;
     const auto figure12 = test::loadModel(se::RunSpec{"scene:figure-12"}, progress).value();
-    const FramePlan events = planFrames(*figure12, {"0", "80", FrameUnit::Event}).value();
+    const FramePlan events = planFrames(*figure12, {"0", "80", PlayUnit::Event}).value();
     const auto& places = events.places;
     for (const char* each : {"1.seed.1", "35.split.1", "74.join.1"})
         CHECK(std::count(places.begin(), places.end(), each) == 1);
@@ -53,7 +53,7 @@ TEST_CASE("A range that is no part of the run is refused with the reason") {
           "pivot 9 has 4 decisions of sphere, not 5");
     CHECK(planFrames(*model, {"10", "9"}).error().message == "9 is before 10");
     CHECK(planFrames(*model, {"here", "9"}).error().message.starts_with("here: expected"));
-    CHECK(planFrames(*model, {"9.sphere.1", "9.sphere.2", FrameUnit::Event})
+    CHECK(planFrames(*model, {"9.sphere.1", "9.sphere.2", PlayUnit::Event})
               .error()
               .message.starts_with("there is no split"));
 }

@@ -30,8 +30,8 @@ TEST_CASE("The program is linked to by an address of the web, of a file, or besi
 }
 
 TEST_CASE("Units of frames are found by their names alone") {
-    CHECK(frameUnitFromName("sub-step") == FrameUnit::SubStep);
-    CHECK(frameUnitFromName("pivot") == FrameUnit::Pivot);
-    CHECK(frameUnitFromName("event") == FrameUnit::Event);
-    CHECK_FALSE(frameUnitFromName("frame"));
+    CHECK(unitFromName("sub-step") == PlayUnit::SubStep);
+    CHECK(unitFromName("pivot") == PlayUnit::Pivot);
+    CHECK(unitFromName("event") == PlayUnit::Event);
+    CHECK_FALSE(unitFromName("frame"));
 }

@@ -34,8 +34,8 @@ TEST_CASE("An export is ordered as the dialog has it, or refused with the reason
     CHECK(form.order("9").error().message == "Enter both positions of the range.");
     form.from = "3";
     form.to = "5";
-    form.unit = FrameUnit::Pivot;
-    CHECK(form.order("9").value().range->unit == FrameUnit::Pivot);
+    form.unit = PlayUnit::Pivot;
+    CHECK(form.order("9").value().range->unit == PlayUnit::Pivot);
     for (const char* size : {"", "0x0", "1280", "99999x800", "1280x800x2"}) {
         form.size = size;
         CHECK_FALSE(form.order("9"));

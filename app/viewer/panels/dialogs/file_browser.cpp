@@ -186,11 +186,11 @@ void drawRange(const PanelContext& context) {
     drawField(context, "export to", "Last frame; of a pivot, its last decision", "9.emit.4",
               form.to);
     drawName(context, "Each");
-    const std::vector<std::string> units = frameUnitNames();
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        const auto unit = static_cast<FrameUnit>(i);
-        if (drawChoice(context, units[i], form.unit == unit, "export " + units[i],
-                       unit == FrameUnit::Event ? "Seed, split, join or alert" : "", i == 0))
+    for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
+        const std::string name(unitName(unit));
+        if (drawChoice(context, name, form.unit == unit, "export " + name,
+                       unit == PlayUnit::Event ? "Seed, split, join or alert" : "",
+                       unit == PlayUnit::SubStep))
             form.unit = unit;
     }
 }
