@@ -86,26 +86,12 @@ Result<Opened> openRun(const RunSpec& spec, const std::optional<Rerun>& rerun,
 
 }  // namespace
 
-void Loader::start(const RunSpec& spec) { start(spec, std::nullopt); }
-
-void Loader::start(const RunSpec& spec, const Rerun& rerun) {
-    start(spec, std::optional<Rerun>(rerun));
-}
-
-void Loader::start(const RunSpec& spec, std::optional<Rerun> rerun) {
-    cancel();
-    progress_ = std::make_shared<LoadProgress>();
-    query_.start([spec, rerun = std::move(rerun), progress = progress_](const Progress&) {
-        return openRun(spec, rerun, *progress);
-    });
-}
-
-void Loader::cancel() {
+void SessionInput::cancel() {
     if (progress_) progress_->cancelled = true;
     query_.cancel();
 }
 
-std::optional<Result<Opened>> Loader::take() {
+std::optional<Result<Opened>> SessionInput::take() {
     if (!query_.poll()) return std::nullopt;
     if (std::optional<Opened> opened = query_.takeAnswer()) return std::move(*opened);
     return Error{query_.complaint()};
@@ -120,23 +106,23 @@ double SessionInput::rerunSeconds() const {
     return std::chrono::duration<double>(Clock::now() - rerunSince_).count();
 }
 
-void SessionInput::start(RunSpec spec, bool rerun) {
-    isRerun_ = rerun;
+void SessionInput::start(RunSpec spec, std::optional<Rerun> rerun) {
+    isRerun_ = rerun.has_value();
     opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
+    cancel();
+    progress_ = std::make_shared<LoadProgress>();
+    query_.start([spec = opening_, rerun = std::move(rerun), progress = progress_](
+                     const Progress&) { return openRun(spec, rerun, *progress); });
 }
 
-void SessionInput::open(RunSpec spec) {
-    start(std::move(spec), false);
-    loader_.start(opening_);
-}
+void SessionInput::open(RunSpec spec) { start(std::move(spec), std::nullopt); }
 
 void SessionInput::rerun(const RunSpec& rules, std::shared_ptr<const Model> model,
                          CursorPosition cursor) {
     rerunSince_ = Clock::now();
-    start(withRulesOf(spec_, rules), true);
-    loader_.start(opening_, {std::move(model), spec_, cursor});
+    start(withRulesOf(spec_, rules), Rerun{std::move(model), spec_, cursor});
 }
 
 void SessionInput::fail(std::string why) {

@@ -15,9 +15,6 @@
 
 namespace se::view {
 
-// Opens an input in a thread of its own, up to the first picture of its run, so that the window
-// stays responsive. A cancelled job finishes in the background.
-
 /// The model to draw from a pivot on.
 struct MovedModel {
     std::uint32_t from = 0;
@@ -45,45 +42,23 @@ struct Rerun {
     CursorPosition cursor;
 };
 
-class Loader {
-  public:
-    Loader() = default;
-    /// Cancels, and waits until the thread has ended. Reading watches LoadProgress, not the query.
-    ~Loader() { cancel(); }
-    Loader(const Loader&) = delete;
-    Loader& operator=(const Loader&) = delete;
-
-    /// Opens another input; an opening in progress is cancelled.
-    void start(const RunSpec& spec);
-    /// Opens the same input under other rules or with other what-ifs; points that stay the same are
-    /// not prepared again. Fails if a new what-if is refused.
-    void start(const RunSpec& spec, const Rerun& rerun);
-    void cancel();
-    /// An input is being opened, or waits to be taken.
-    bool busy() const { return query_.busy(); }
-    double share() const { return busy() ? progress_->share.load() : 0.0; }
-    LoadPart part() const { return busy() ? progress_->part.load() : LoadPart::Reading; }
-    /// The opened input or the error; once.
-    std::optional<Result<Opened>> take();
-    /// Blocks until there is a result to take.
-    void waitUntilDone() { query_.waitUntilDone(); }
-
-  private:
-    void start(const RunSpec& spec, std::optional<Rerun> rerun);
-
-    std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
-    BackgroundQuery<Opened> query_;
-};
-
 enum class SessionPhase : std::uint8_t { Empty, Loading, Ready, Failed };
 
+/// Opens an input in a thread of its own, up to the first picture of its run, so that the window
+/// stays responsive. A cancelled job finishes in the background.
 class SessionInput {
   public:
     using Clock = std::chrono::steady_clock;
 
+    SessionInput() = default;
+    /// Cancels, and waits until the thread has ended. Reading watches LoadProgress, not the query.
+    ~SessionInput() { cancel(); }
+    SessionInput(const SessionInput&) = delete;
+    SessionInput& operator=(const SessionInput&) = delete;
+
     SessionPhase phase() const { return phase_; }
-    double loadShare() const { return loader_.share(); }
-    LoadPart loadPart() const { return loader_.part(); }
+    double loadShare() const { return query_.busy() ? progress_->share.load() : 0.0; }
+    LoadPart loadPart() const { return query_.busy() ? progress_->part.load() : LoadPart::Reading; }
     /// Why the last opening failed.
     const std::string& error() const { return error_; }
     /// Specification of the open input.
@@ -105,20 +80,24 @@ class SessionInput {
     double rerunSeconds() const;
 
     // Changes, by the session.
+    /// Opens another input; an opening in progress is cancelled.
     void open(RunSpec spec);
+    /// Opens the same input under other rules or with other what-ifs; points that stay the same are
+    /// not prepared again. Fails if a new what-if is refused.
     void rerun(const RunSpec& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
-    void cancel() { loader_.cancel(); }
+    void cancel();
     /// Returns to the input that was open before, or to none.
     void dismiss(bool ready) { phase_ = ready ? SessionPhase::Ready : SessionPhase::Empty; }
     void fail(std::string why);
     /// The opened input, or the error; once.
-    std::optional<Result<Opened>> take() { return loader_.take(); }
+    std::optional<Result<Opened>> take();
     /// The input that was being opened is open.
     void adopt(Opened& opened);
-    void waitUntilDone() { loader_.waitUntilDone(); }
+    /// Blocks until there is a result to take.
+    void waitUntilDone() { query_.waitUntilDone(); }
 
   private:
-    void start(RunSpec spec, bool rerun);
+    void start(RunSpec spec, std::optional<Rerun> rerun);
 
     RunSpec spec_;
     RunSpec opening_;
@@ -128,7 +107,8 @@ class SessionInput {
     Clock::time_point rerunSince_;
     std::vector<std::string> whatIfProblems_;
     std::shared_ptr<const PointFile> file_;
-    Loader loader_;
+    std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
+    BackgroundQuery<Opened> query_;
 };
 
 }  // namespace se::view

@@ -20,12 +20,11 @@ RunSpec scene(const char* source) { return {source}; }
 }  // namespace
 
 TEST_CASE("An opened input comes once, with the start of its run") {
-    Loader loader;
-    CHECK_FALSE(loader.busy());
-    loader.start(scene("scene:sphere"));
-    CHECK(loader.busy());
-    loader.waitUntilDone();
-    auto opened = loader.take();
+    SessionInput input;
+    input.open(scene("scene:sphere"));
+    CHECK(input.phase() == SessionPhase::Loading);
+    input.waitUntilDone();
+    auto opened = input.take();
     REQUIRE(opened.has_value());
     REQUIRE(opened->ok());
     CHECK(opened->value().model->name == "scene:sphere");
@@ -33,16 +32,15 @@ TEST_CASE("An opened input comes once, with the start of its run") {
     REQUIRE(answer.has_value());
     CHECK(answer->final);
     CHECK(answer->record->pivot == 0);
-    CHECK_FALSE(loader.busy());
-    CHECK_FALSE(loader.take().has_value());
+    CHECK_FALSE(input.take().has_value());
 }
 
 TEST_CASE("A scene that begins in the middle of a run opens there, or not at all without a point") {
-    Loader loader;
+    SessionInput input;
     RunSpec spec = scene("scene:figure-6");
-    loader.start(spec);
-    loader.waitUntilDone();
-    auto opened = loader.take();
+    input.open(spec);
+    input.waitUntilDone();
+    auto opened = input.take();
     REQUIRE(opened.has_value());
     REQUIRE(opened->ok());
     const GivenStart start = startOfScene("figure-6");
@@ -51,33 +49,32 @@ TEST_CASE("A scene that begins in the middle of a run opens there, or not at all
     REQUIRE(answer.has_value());
     CHECK(answer->record->before.triangleCount == start.triangles.size());
     spec.leftOut = {{8, 8}};
-    loader.start(spec);
-    loader.waitUntilDone();
-    opened = loader.take();
+    input.open(spec);
+    input.waitUntilDone();
+    opened = input.take();
     REQUIRE(opened.has_value());
     REQUIRE_FALSE(opened->ok());
     CHECK(opened->error().message.find("it needs all of its points") != std::string::npos);
 }
 
 TEST_CASE("The last of several inputs is the one that is opened") {
-    Loader loader;
+    SessionInput input;
     for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
-        loader.start(scene(source));
+        input.open(scene(source));
     }
-    loader.waitUntilDone();
-    const auto opened = loader.take();
+    input.waitUntilDone();
+    const auto opened = input.take();
     REQUIRE(opened.has_value());
     REQUIRE(opened->ok());
     CHECK(opened->value().model->name == "scene:grid");
 }
 
 TEST_CASE("A cancelled opening is not waited for") {
-    Loader loader;
-    loader.start(scene("scene:torus"));
-    loader.cancel();
-    CHECK_FALSE(loader.busy());
-    loader.waitUntilDone();
-    CHECK_FALSE(loader.take().has_value());
+    SessionInput input;
+    input.open(scene("scene:torus"));
+    input.cancel();
+    input.waitUntilDone();
+    CHECK_FALSE(input.take().has_value());
 }
 
 TEST_CASE("A session whose opening is cancelled continues with the open input, at once") {
