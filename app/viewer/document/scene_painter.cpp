@@ -57,10 +57,8 @@ void addDifference(const DifferenceLook& look, const Model& model, std::size_t f
                    const std::shared_ptr<const std::vector<Triangle>>& repaired, DrawList& out) {
     if (look.shade != nullptr)
         out.tinted = look.shade->at(finished, repaired, look.only, look.turned);
-    for (const Triangle& t : look.ghosts) {
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
-            out.dashed(model.place[u], model.place[v], look.ghost, 0.1F, 0.35F);
-    }
+    for (const Triangle& t : look.ghosts)
+        out.loop(model.cornersOf(t), look.ghost, 0.1F, Depth::OnTop, 0.35F);
 }
 
 /// From this radius on the screen, in em, what hides a decision fades: from afar there is nothing
@@ -226,10 +224,8 @@ void ScenePainter::fillTrace(const CommandContext& run, const DecisionState& sta
     input.theme = settings.theme;
     input.names = session.names();
     fillDrawList(input, now.layers, drawList_);
-    for (const Triangle& t : coming) {
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
-            drawList_.dashed(input.at(u), input.at(v), input.palette.test, 0.1F, 0.3F);
-    }
+    for (const Triangle& t : coming)
+        drawList_.loop(input.cornersOf(t), input.palette.test, 0.1F, Depth::OnTop, 0.3F);
     if (look != nullptr)
         addDifference(*look, session.model(), state.finishedTriangles, nullptr, drawList_);
     filled_ = std::move(now);

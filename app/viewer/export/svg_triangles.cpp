@@ -18,11 +18,6 @@ constexpr float kShades = 48.0F;
 /// Opacity of triangles that hide the decision.
 constexpr float kGhostAlpha = 0.25F;
 
-float smoothStep(float low, float high, float value) {
-    const float share = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
-    return share * share * (3.0F - 2.0F * share);
-}
-
 Color times(const Color& color, float shade) {
     return {std::min(1.0F, color.r * shade), std::min(1.0F, color.g * shade),
             std::min(1.0F, color.b * shade), color.a};
@@ -98,7 +93,7 @@ class TriangleCollector {
     void addOfModel(const Triangle& t, const Ink& color) {
         SvgTriangle triangle;
         const Model& model = in_.model;
-        triangle.places = {model.place[t.a], model.place[t.b], model.place[t.c]};
+        triangle.places = model.cornersOf(t);
         triangle.normal = model.normal[t.a] + model.normal[t.b] + model.normal[t.c];
         triangle.color = color;
         triangle.smooth = in_.list.meshStyle == MeshStyle::Shaded ? 1.0F : 0.0F;
@@ -213,7 +208,7 @@ void drawWire(SvgCanvas& canvas) {
     const std::size_t count = std::min(in.triangles.size(), in.list.finishedTriangles);
     for (const Triangle& each : in.triangles.first(count)) {
         SvgTriangle t;
-        t.places = {in.model.place[each.a], in.model.place[each.b], in.model.place[each.c]};
+        t.places = in.model.cornersOf(each);
         bool before = true;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto at = canvas.screen().at(t.places[i]);

@@ -149,6 +149,9 @@ std::vector<std::pair<glm::vec3, glm::vec3>> sphereCut(const Sphere& sphere,
     return segments;
 }
 
+namespace {
+
+/// Draws the curves, and the feet of q and of the center on the disc.
 void addSphereContact(const LayerInput& in, const Sphere& sphere, const glm::vec3& tested,
                       DrawList& out) {
     addMeshCut(in, sphere, out);
@@ -158,8 +161,6 @@ void addSphereContact(const LayerInput& in, const Sphere& sphere, const glm::vec
     addShadow(in, *disc, tested, out);
     addShadow(in, *disc, sphere.center, out);
 }
-
-namespace {
 
 /// The angle that would remain without q, against its limit, usually 120 degrees; and the edge
 /// from t to s that would close the rim.

@@ -15,8 +15,4 @@ namespace se::view {
 std::vector<std::pair<glm::vec3, glm::vec3>> sphereCut(const Sphere& sphere,
                                                        const std::array<glm::vec3, 3>& corners);
 
-/// Draws the curves, and the feet of q and of the center on the disc.
-void addSphereContact(const LayerInput& in, const Sphere& sphere, const glm::vec3& tested,
-                      DrawList& out);
-
 }  // namespace se::view

@@ -25,12 +25,8 @@ void addTurn(const LayerInput& in, const Triangle& t, float inner, DrawList& out
 
 /// The finished triangles that it would cover, outlined as a whole.
 void addCovered(const LayerInput& in, const Overlap& overlap, DrawList& out) {
-    for (const Triangle& t : overlap.covered) {
-        for (const auto& [from, to] :
-             {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
-            out.dashed(in.at(from), in.at(to), in.palette.rejected, 0.09F, 0.25F);
-        }
-    }
+    for (const Triangle& t : overlap.covered)
+        out.loop(in.cornersOf(t), in.palette.rejected, 0.09F, Depth::OnTop, 0.25F);
 }
 
 /// Against the half turn, as it is shown.

@@ -92,9 +92,7 @@ bool isThere(const LayerInput& in, Index number) {
 void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& out) {
     const Color& color = in.palette.rejected;
     if (there) out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(kTint));
-    for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-        out.dashed(in.at(u), in.at(v), color, 0.16F, there ? 0.0F : 0.3F);
-    }
+    out.loop(in.cornersOf(t), color, 0.16F, Depth::OnTop, there ? 0.0F : 0.3F);
 }
 
 void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawList& out) {

@@ -63,9 +63,7 @@ struct LayerInput {
     const MeshChange* change = nullptr;
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
-    std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
-        return {at(t.a), at(t.b), at(t.c)};
-    }
+    std::array<glm::vec3, 3> cornersOf(const Triangle& t) const { return model.cornersOf(t); }
     glm::vec3 middleOf(const Triangle& t) const { return (at(t.a) + at(t.b) + at(t.c)) / 3.0F; }
     glm::vec3 middleOf(Index a, Index b) const { return 0.5F * (at(a) + at(b)); }
     /// Along the normal of the triangle, as long as twice its area.

@@ -187,6 +187,38 @@ void beginNew(unsigned frame, const glm::vec4& color) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+int samplesOf(int wanted) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    return std::min(most, wanted);
+}
+
+void allocateBuffer(unsigned buffer, int samples, unsigned format, glm::ivec2 size,
+                    unsigned attachment) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+void allocateTexture(unsigned texture, unsigned format, glm::ivec2 size, unsigned filter) {
+    const bool depth = format == GL_DEPTH_COMPONENT24;
+    const GLenum channels = depth ? GL_DEPTH_COMPONENT : format == GL_R8 ? GL_RED : GL_RGBA;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size.x, size.y, 0, channels,
+                 depth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
+    for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, way, static_cast<GLint>(filter));
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+}
+
+void aimAt(unsigned frame, glm::ivec2 size, const PixelRect& rect) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glViewport(0, 0, size.x, size.y);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rect.min.x, rect.min.y, rect.max.x - rect.min.x, rect.max.y - rect.min.y);
+}
+
 Target::~Target() { release(); }
 
 void Target::release() {
@@ -201,28 +233,18 @@ void Target::release() {
 void Target::allocate(glm::ivec2 size) {
     release();
     size_ = size;
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    const GLint samples = std::min(most, samples_);
+    const int samples = samplesOf(samples_);
     glGenFramebuffers(1, &drawn_);
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
     glGenRenderbuffers(1, &color_);
-    glBindRenderbuffer(GL_RENDERBUFFER, color_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, size.x, size.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
+    allocateBuffer(color_, samples, GL_RGBA8, size, GL_COLOR_ATTACHMENT0);
     glGenRenderbuffers(1, &depth_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, size.x,
-                                     size.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    allocateBuffer(depth_, samples, GL_DEPTH_COMPONENT24, size, GL_DEPTH_ATTACHMENT);
 
     glGenFramebuffers(1, &resolved_);
     glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
     glGenTextures(1, &texture_);
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    allocateTexture(texture_, GL_RGBA8, size, GL_NEAREST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
     for (const unsigned frame : {resolved_, drawn_}) beginNew(frame, {0.0F, 0.0F, 0.0F, 1.0F});
 }

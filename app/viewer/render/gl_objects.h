@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "scene/screen_rect.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::view {
@@ -89,6 +90,16 @@ class Batch {
 void beginNew(unsigned frame, const glm::vec4& color);
 
 /// An off-screen picture with depth.
+/// The samples of a buffer: `wanted`, or fewer where the graphics card has no more.
+int samplesOf(int wanted);
+/// A buffer of that size as a part of the bound frame.
+void allocateBuffer(unsigned buffer, int samples, unsigned format, glm::ivec2 size,
+                    unsigned attachment);
+/// A texture of that size and format, to be read with that filter, without repetition.
+void allocateTexture(unsigned texture, unsigned format, glm::ivec2 size, unsigned filter);
+/// Draws go to that part of a frame of that size.
+void aimAt(unsigned frame, glm::ivec2 size, const PixelRect& rect);
+
 class Target {
   public:
     /// As many samples per pixel as available, up to `samples`.

@@ -64,59 +64,30 @@ bool KeptPicture::resize(glm::ivec2 size, const Color& background) {
 }
 
 void KeptPicture::allocateSurfaces() {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    const GLint samples = std::min(most, kSamples);
+    const int samples = samplesOf(kSamples);
     glBindFramebuffer(GL_FRAMEBUFFER, frames_[kSampled]);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kSampledColor]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, size_.x, size_.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              buffers_[kSampledColor]);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kSampledDepth]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, size_.x,
-                                     size_.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                              buffers_[kSampledDepth]);
+    allocateBuffer(buffers_[kSampledColor], samples, GL_RGBA8, size_, GL_COLOR_ATTACHMENT0);
+    allocateBuffer(buffers_[kSampledDepth], samples, GL_DEPTH_COMPONENT24, size_,
+                   GL_DEPTH_ATTACHMENT);
 }
 
 void KeptPicture::allocateTextures() {
-    for (std::size_t i = 0; i < textures_.size(); ++i) {
-        glBindTexture(GL_TEXTURE_2D, textures_[i]);
-        if (i == kSurfaceDepth) {
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size_.x, size_.y, 0,
-                         GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-        } else {
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_.x, size_.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                         nullptr);
-        }
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    }
+    for (std::size_t i = 0; i < textures_.size(); ++i)
+        allocateTexture(textures_[i], i == kSurfaceDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, size_,
+                        GL_NEAREST);
     attach(frames_[kSurfaces], textures_[kSurfaceColor], textures_[kSurfaceDepth]);
     attach(frames_[kShaded], textures_[kKeptColor], 0);
     attach(frames_[kKept], textures_[kKeptColor], textures_[kSurfaceDepth]);
     attach(frames_[kPicture], textures_[kPictureColor], 0);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kPictureDepth]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_.x, size_.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                              buffers_[kPictureDepth]);
+    allocateBuffer(buffers_[kPictureDepth], 0, GL_DEPTH_COMPONENT24, size_, GL_DEPTH_ATTACHMENT);
 }
 
 void KeptPicture::begin() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &previous_); }
 
-void KeptPicture::target(unsigned frame, const PixelRect& rect) {
-    glBindFramebuffer(GL_FRAMEBUFFER, frame);
-    glViewport(0, 0, size_.x, size_.y);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(rect.min.x, rect.min.y, rect.max.x - rect.min.x, rect.max.y - rect.min.y);
-}
-
 void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background, Finish finish) {
     const bool smooth = finish == Finish::Full;
     unresolved_ = smooth ? rect : PixelRect{};
-    target(frames_[smooth ? kSampled : kSurfaces], rect);
+    aimAt(frames_[smooth ? kSampled : kSurfaces], size_, rect);
     glClearColor(background.r, background.g, background.b, 1.0F);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -128,9 +99,9 @@ void KeptPicture::endSurfaces() {
          GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void KeptPicture::beginShading(const PixelRect& rect) { target(frames_[kShaded], rect); }
+void KeptPicture::beginShading(const PixelRect& rect) { aimAt(frames_[kShaded], size_, rect); }
 
-void KeptPicture::beginPoints(const PixelRect& rect) { target(frames_[kKept], rect); }
+void KeptPicture::beginPoints(const PixelRect& rect) { aimAt(frames_[kKept], size_, rect); }
 
 void KeptPicture::beginOverlay() {
     copy(frames_[kKept], frames_[kPicture], whole(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -51,7 +51,6 @@ class KeptPicture {
   private:
     void allocateSurfaces();
     void allocateTextures();
-    void target(unsigned frame, const PixelRect& rect);
 
     glm::ivec2 size_{0};
     PixelRect unresolved_;  ///< Where samples have to be averaged.

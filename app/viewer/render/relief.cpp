@@ -31,12 +31,7 @@ void Relief::allocate(glm::ivec2 size) {
     if (size_.x > 0) release();
     size_ = size;
     glGenTextures(1, &texture_);
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    allocateTexture(texture_, GL_R8, size, GL_LINEAR);
     glGenFramebuffers(1, &frame_);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
@@ -60,12 +55,8 @@ void Relief::findOcclusion(const KeptPicture& picture, const PixelRect& rect,
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     allocate((picture.size() + 1) / 2);
-    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-    glViewport(0, 0, size_.x, size_.y);
     // The average below reads two pixels around.
-    const PixelRect half = PixelRect{rect.min / 2, (rect.max + 1) / 2}.grown(2, size_);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(half.min.x, half.min.y, half.max.x - half.min.x, half.max.y - half.min.y);
+    aimAt(frame_, size_, PixelRect{rect.min / 2, (rect.max + 1) / 2}.grown(2, size_));
     useDepth(shaders_.occlusion, picture, camera);
     shaders_.occlusion.set("uReach", kOcclusionEm * em);
     glDrawArrays(GL_TRIANGLES, 0, 3);

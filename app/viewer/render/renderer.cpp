@@ -72,8 +72,7 @@ void LinePass::draw(std::span<const Line> lines, const LineSizes& sizes) {
             if (line.depth != depth) continue;
             const glm::vec3 measures(std::max(1.0F, line.width * sizes.em * sizes.zoom),
                                      line.dash * sizes.em, line.arrow * sizes.em * sizes.zoom);
-            const Color& c = line.color;
-            instances.push_back({line.from, line.to, {c.r, c.g, c.b, c.a}, measures});
+            instances.push_back({line.from, line.to, colorVector(line.color), measures});
         }
         ends[static_cast<std::size_t>(depth)] = instances.size();
     }
@@ -108,8 +107,6 @@ struct SpriteVertex {
 constexpr float kBiasShare = 0.12F;
 /// That of the halos of lines: less, so that lines that are nearly as near stay whole.
 constexpr float kHaloBiasShare = -0.06F;
-
-glm::vec4 vec(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 
 std::vector<glm::vec3> unitSphere() {
     constexpr int kAround = 48;
@@ -243,7 +240,7 @@ void Renderer::drawSpheres(const DrawList& list, const CameraMatrices& camera) {
     for (const Sphere& sphere : list.spheres) {
         shaders_->shell.set("uCenter", sphere.center);
         shaders_->shell.set("uRadius", sphere.radius);
-        shaders_->shell.set("uColor", vec(sphere.color));
+        shaders_->shell.set("uColor", colorVector(sphere.color));
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(shellVertices_));
     }
     glEnable(GL_DEPTH_TEST);
@@ -257,7 +254,7 @@ void Renderer::drawSprites(const DrawList& list, const CameraMatrices& camera,
     for (const Sprite& sprite : list.sprites) {
         const glm::vec2 sizeShape(sprite.style.size * em_ * markZoom_,
                                   static_cast<float>(sprite.style.shape));
-        vertices.push_back({sprite.position, vec(sprite.style.color), sizeShape});
+        vertices.push_back({sprite.position, colorVector(sprite.style.color), sizeShape});
     }
     useCamera(shaders_->sprite, camera, 0.0F);
     shaders_->sprite.set("uHalo", glm::vec3(background.r, background.g, background.b));

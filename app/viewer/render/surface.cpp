@@ -24,9 +24,9 @@ class DrawPacer {
     DrawPacer& operator=(const DrawPacer&) = delete;
 
     /// Draws the points `first` up to but not including `last`.
-    void drawPoints(std::size_t first, std::size_t last);
+    void drawPoints(std::size_t first, std::size_t last) { draw(GL_POINTS, 1, first, last); }
     /// Draws the triangles `first` up to but not including `last`, of three vertices each.
-    void drawTriangles(std::size_t first, std::size_t last);
+    void drawTriangles(std::size_t first, std::size_t last) { draw(GL_TRIANGLES, 3, first, last); }
 
   private:
     void draw(unsigned mode, std::size_t vertices, std::size_t first, std::size_t last);
@@ -96,8 +96,6 @@ constexpr float kSolidShare = 0.8F;
 /// Strength below which marks are left out.
 constexpr float kFaintest = 0.02F;
 
-glm::vec4 colorVector(const Color& c) { return {c.r, c.g, c.b, c.a}; }
-
 std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
     const auto byte = [](float x) {
         return static_cast<std::int8_t>(std::lround(127.0F * std::clamp(x, -1.0F, 1.0F)));
@@ -136,6 +134,19 @@ void drawTriangles(DrawPacer& pacer, BlockBounds::Range range, const Color& c) {
     pacer.drawTriangles(range.first, range.second);
 }
 
+/// Draws them, each stretch in its color.
+void drawStretches(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range) {
+    const auto& stretches = list.meshStretches;
+    const std::size_t plain = stretches.empty() ? range.second : stretches.front().first;
+    drawTriangles(pacer, {range.first, std::min(range.second, plain)}, list.meshColor);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : range.second;
+        drawTriangles(pacer,
+                      {std::max(range.first, stretches[i].first), std::min(range.second, end)},
+                      stretches[i].color);
+    }
+}
+
 /// Bounds of any scene.
 Bounds everything() {
     Bounds all;
@@ -151,10 +162,6 @@ Bounds boundsOf(const glm::vec4& sphere) {
     all.add(glm::vec3(sphere) - 1.2F * sphere.w);
     all.add(glm::vec3(sphere) + 1.2F * sphere.w);
     return all;
-}
-
-bool sameFaces(const Face& a, const Face& b) {
-    return a.corners == b.corners && a.color == b.color && a.hatched == b.hatched;
 }
 
 Bounds boundsOf(const std::vector<Face>& faces) {
@@ -245,15 +252,17 @@ void Surface::setRepaired(const Model& model,
     static const std::vector<Triangle> kNothing;
     const std::vector<Triangle>& before = uploadedRepaired_ ? *uploadedRepaired_ : kNothing;
     const std::size_t common = std::min(before.size(), triangles->size());
+    const auto note = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            for (const glm::vec3& corner : model.cornersOf(before[i])) changed_.mesh.add(corner);
+        }
+    };
     const auto upload = [&](std::size_t first, std::size_t last) {
         if (first == last) return;
         // Old and new triangles: the bounds of the blocks still have the old ones.
         changed_.mesh.add(
             uploadCorners(repaired_, &repairedBounds_, model, *triangles, {first, last}));
-        for (std::size_t i = first; i < std::min(last, before.size()); ++i) {
-            for (const Index p : {before[i].a, before[i].b, before[i].c})
-                changed_.mesh.add(model.place[p]);
-        }
+        note(first, std::min(last, before.size()));
     };
     for (std::size_t i = 0; i < common; ++i) {
         const std::size_t first = i;
@@ -261,10 +270,7 @@ void Surface::setRepaired(const Model& model,
         upload(first, i);
     }
     upload(common, triangles->size());
-    for (std::size_t i = common; i < before.size(); ++i) {
-        for (const Index p : {before[i].a, before[i].b, before[i].c})
-            changed_.mesh.add(model.place[p]);
-    }
+    note(common, before.size());
     uploadedRepaired_ = std::move(triangles);
 }
 
@@ -284,15 +290,14 @@ std::size_t Surface::meshCount(const DrawList& list) const {
 
 SurfaceChanges Surface::takeChanges(const DrawList& list) {
     SurfaceChanges changed = std::exchange(changed_, {});
-    Looks looks{list.meshColor,   list.meshEdgeColor,       list.meshStyle,
-                list.creationEnd, list.meshStretches,       list.meshVisible,
-                list.meshEdges,   list.repaired != nullptr, list.tinted};
-    if (!(looks == looks_)) changed.mesh = everything();
-    looks_ = std::move(looks);
+    const MeshLooks& looks = list;
+    const bool repaired = list.repaired != nullptr;
+    if (std::exchange(repairedShown_, repaired) != repaired || looks != looks_)
+        changed.mesh = everything();
+    looks_ = looks;
     const std::size_t before = std::exchange(drawnTriangles_, meshCount(list));
-    if (!looks_.repaired) changed.mesh.add(meshBounds_.of(std::minmax(before, drawnTriangles_)));
-    if (!std::equal(list.faces.begin(), list.faces.end(), drawnFaces_.begin(), drawnFaces_.end(),
-                    sameFaces)) {
+    if (!repaired) changed.mesh.add(meshBounds_.of(std::minmax(before, drawnTriangles_)));
+    if (list.faces != drawnFaces_) {
         changed.mesh.add(boundsOf(drawnFaces_));
         changed.mesh.add(boundsOf(list.faces));
         drawnFaces_ = list.faces;
@@ -402,19 +407,7 @@ void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
     const BlockBounds& blocks = repaired ? repairedBounds_ : meshBounds_;
     DrawPacer pacer;
     for (const auto& range : blocks.within(view.camera, view.size, view.rect, meshCount(list)))
-        drawRange(pacer, list, range);
-}
-
-void Surface::drawRange(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range) {
-    const auto& stretches = list.meshStretches;
-    const std::size_t plain = stretches.empty() ? range.second : stretches.front().first;
-    drawTriangles(pacer, {range.first, std::min(range.second, plain)}, list.meshColor);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : range.second;
-        drawTriangles(pacer,
-                      {std::max(range.first, stretches[i].first), std::min(range.second, end)},
-                      stretches[i].color);
-    }
+        view::drawStretches(pacer, list, range);
 }
 
 /// Drawn over the finished triangles, at exactly the same depth.
@@ -497,12 +490,6 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
 }
 
 DrawPacer::~DrawPacer() { glDeleteSync(static_cast<GLsync>(fence_)); }
-
-void DrawPacer::drawPoints(std::size_t first, std::size_t last) { draw(GL_POINTS, 1, first, last); }
-
-void DrawPacer::drawTriangles(std::size_t first, std::size_t last) {
-    draw(GL_TRIANGLES, 3, first, last);
-}
 
 void DrawPacer::draw(unsigned mode, std::size_t vertices, std::size_t first, std::size_t last) {
     while (first < last) {

@@ -13,8 +13,6 @@
 
 namespace se::view {
 
-class DrawPacer;
-
 /// The part of a picture to draw, and sizes in it.
 struct SurfaceView {
     CameraMatrices camera;
@@ -67,25 +65,10 @@ class Surface {
     float spacing() const { return spacing_; }
 
   private:
-    /// Looks of the mesh: a change redraws all of it.
-    struct Looks {
-        Color mesh;
-        Color edge;
-        MeshStyle style = MeshStyle::Flat;
-        std::size_t creationEnd = 1;
-        std::vector<MeshStretch> stretches;
-        bool meshVisible = true;
-        bool meshEdges = true;
-        bool repaired = false;
-        std::array<TintedTriangles, 2> tinted{};
-        friend bool operator==(const Looks&, const Looks&) = default;
-    };
-
     void useMesh(const DrawList& list, const SurfaceView& view);
     void drawFinished(const DrawList& list, const SurfaceView& view);
     std::size_t meshCount(const DrawList& list) const;
     void drawStretches(const DrawList& list, const SurfaceView& view);
-    void drawRange(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range);
     void drawTinted(const DrawList& list);
     void drawFaces(const std::vector<Face>& faces);
     void drawPoints(Shader& shader, const DrawList& list, const SurfaceView& view);
@@ -102,7 +85,8 @@ class Surface {
     BlockBounds meshBounds_;
     BlockBounds repairedBounds_;
     SurfaceChanges changed_;  ///< By uploads, since the last list.
-    Looks looks_;
+    MeshLooks looks_;
+    bool repairedShown_ = false;
     std::array<PointStyle, CloudStyles::kCount> pointLooks_{};
     bool pointsShown_ = false;
     std::size_t drawnTriangles_ = 0;
@@ -114,6 +98,9 @@ class Surface {
     std::size_t meshTriangles_ = 0;
     float spacing_ = 0.05F;
 };
+
+/// A color for a shader.
+inline glm::vec4 colorVector(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 
 /// Sets the camera of a shader. `bias`: view units by which it moves points toward the eye.
 void useCamera(Shader& shader, const CameraMatrices& camera, float bias);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -85,6 +86,10 @@ struct Model {
     /// Index in the piece.
     Index numberInPiece(Index point) const { return inPiece.empty() ? point : inPiece[point]; }
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
+    /// View coordinates of the corners of a triangle.
+    std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
+        return {place[t.a], place[t.b], place[t.c]};
+    }
 };
 
 /// Parts of opening an input.

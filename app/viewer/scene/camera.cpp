@@ -327,12 +327,4 @@ Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel) {
     return {from, glm::normalize(glm::vec3(high) / high.w - from)};
 }
 
-glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size) {
-    const glm::vec4 clip = camera.viewProjection() * glm::vec4(position, 1.0F);
-    if (clip.w <= 0.0F) return {0.0F, 0.0F, -1.0F};
-    const glm::vec3 ndc = glm::vec3(clip) / clip.w;
-    return {(ndc.x * 0.5F + 0.5F) * size.x, (0.5F - ndc.y * 0.5F) * size.y,
-            -(camera.view * glm::vec4(position, 1.0F)).z + (camera.orthographic ? 100.0F : 0.0F)};
-}
-
 }  // namespace se::view

@@ -123,8 +123,42 @@ struct Ray {
 /// The line of sight through a pixel (y down) of a view of `size` pixels, from the near plane on.
 Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel);
 
-/// Pixel position (y down) and depth of a point; depth <= 0 means behind the camera.
-glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size);
+/// Projection from positions to pixels, with all constant parts computed once.
+class Projector {
+  public:
+    Projector(const CameraMatrices& camera, glm::vec2 size)
+        : camera_(camera), size_(size), toClip_(camera.viewProjection()) {}
+
+    /// Pixel (y down) and depth; depth <= 0 means behind the camera.
+    glm::vec3 operator()(const glm::vec3& place) const {
+        const glm::vec4 clip = toClip_ * glm::vec4(place, 1.0F);
+        if (clip.w <= 0.0F) return {0.0F, 0.0F, -1.0F};
+        const float depth =
+            camera_.orthographic ? 100.0F - (camera_.view * glm::vec4(place, 1.0F)).z : clip.w;
+        return {(0.5F * clip.x / clip.w + 0.5F) * size_.x,
+                (0.5F - 0.5F * clip.y / clip.w) * size_.y, depth};
+    }
+    /// From the position toward the eye, of unspecified length.
+    glm::vec3 toEye(const glm::vec3& place) const {
+        if (!camera_.orthographic) return camera_.eye - place;
+        return {camera_.view[0][2], camera_.view[1][2], camera_.view[2][2]};
+    }
+
+  private:
+    const CameraMatrices& camera_;
+    glm::vec2 size_;
+    glm::mat4 toClip_;
+};
+
+inline glm::vec3 project(const CameraMatrices& camera, const glm::vec3& place, glm::vec2 size) {
+    return Projector(camera, size)(place);
+}
+
+/// From 0 at `low` to 1 at `high`, slow at both ends.
+inline float smoothStep(float low, float high, float value) {
+    const float share = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
+    return share * share * (3.0F - 2.0F * share);
+}
 
 // Detail that has room on the screen, from the distance of the points there.
 
@@ -144,10 +178,7 @@ inline float spacingInPixels(const CameraMatrices& camera, float height, float s
 
 /// Strength, from 0 to 1, of marks on the mesh where points are that many pixels apart: closer
 /// together they would cover it, and make patterns.
-inline float markStrength(float pixels) {
-    const float share = std::clamp((pixels - kMarksFrom) / (kMarksFull - kMarksFrom), 0.0F, 1.0F);
-    return share * share * (3.0F - 2.0F * share);
-}
+inline float markStrength(float pixels) { return smoothStep(kMarksFrom, kMarksFull, pixels); }
 
 /// Whether points that many pixels apart are drawn as solid dots with depth, instead of shapes.
 inline bool drawnSolid(float pixels) { return pixels < kShapesFrom; }

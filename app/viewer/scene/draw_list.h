@@ -54,6 +54,7 @@ struct Face {
     std::array<glm::vec3, 3> corners{};
     Color color;
     bool hatched = false;
+    friend bool operator==(const Face&, const Face&) = default;
 };
 
 /// A transparent filled shape, e.g. the free sector of a pivot.
@@ -117,7 +118,22 @@ struct LayerStart {
     std::size_t sprites = 0;
 };
 
-struct DrawList {
+/// Looks of the finished triangles: a change redraws all of them.
+struct MeshLooks {
+    Color meshColor;
+    Color meshEdgeColor;
+    MeshStyle meshStyle = MeshStyle::Flat;
+    std::size_t creationEnd = 1;  ///< The triangle at the light end of the scale.
+    /// Stretches of the finished triangles with a color of their own, in order; the rest has
+    /// meshColor.
+    std::vector<MeshStretch> meshStretches;
+    bool meshVisible = true;
+    bool meshEdges = true;
+    std::array<TintedTriangles, 2> tinted{};
+    friend bool operator==(const MeshLooks&, const MeshLooks&) = default;
+};
+
+struct DrawList : MeshLooks {
     /// The layers, in drawing order; the things of each end where those of the next begin.
     std::vector<LayerStart> layers;
 
@@ -133,21 +149,10 @@ struct DrawList {
 
     // Finished triangles: uploaded once, drawn up to a count.
     std::size_t finishedTriangles = 0;
-    Color meshColor;
-    Color meshEdgeColor;
-    MeshStyle meshStyle = MeshStyle::Flat;
-    std::size_t creationEnd = 1;  ///< The triangle at the light end of the scale.
-    /// Stretches of the finished triangles with a color of their own, in order; the rest has
-    /// meshColor.
-    std::vector<MeshStretch> meshStretches;
     std::size_t components = 0;  ///< Triangles that have a color of their own.
-    bool meshVisible = true;
-    bool meshEdges = true;
 
     /// Triangles to draw instead of the finished ones, if not null.
     std::shared_ptr<const std::vector<Triangle>> repaired;
-
-    std::array<TintedTriangles, 2> tinted{};
 
     std::optional<DecisionPlace> decision;
     bool ghosts = false;  ///< Finished triangles that hide the decision are faint.
@@ -171,9 +176,9 @@ struct DrawList {
     }
     /// The lines around a polygon.
     void loop(std::span<const glm::vec3> corners, const Color& color, float width,
-              Depth depth = Depth::OnTop) {
+              Depth depth = Depth::OnTop, float dash = 0.0F) {
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            line(corners[i], corners[(i + 1) % corners.size()], color, width, depth);
+            dashed(corners[i], corners[(i + 1) % corners.size()], color, width, dash, depth);
         }
     }
     /// A line with its head near the far end, always on top.

@@ -20,45 +20,22 @@ namespace {
 
 /// Distance by which points are drawn closer to the eye, in spacings; see the renderer.
 constexpr float kPointBias = 0.12F;
+/// Slack of a ray, so that it does not slip between two triangles.
+constexpr float kRaySlack = 1e-3F;
 /// Maximum number of points that are tested for being hidden.
 constexpr std::size_t kPointsAsked = 8;
-
-/// Projection from positions to pixels, with all constant parts computed once.
-class Projector {
-  public:
-    Projector(const CameraMatrices& camera, glm::vec2 size)
-        : camera_(camera), size_(size), toClip_(camera.viewProjection()) {}
-
-    /// Pixel and depth; depth <= 0 means behind the camera.
-    glm::vec3 operator()(const glm::vec3& place) const {
-        const glm::vec4 clip = toClip_ * glm::vec4(place, 1.0F);
-        if (clip.w <= 0.0F) return {0.0F, 0.0F, -1.0F};
-        const float depth = camera_.orthographic ? 100.0F - glm::dot(toEye(place), place) : clip.w;
-        return {(0.5F * clip.x / clip.w + 0.5F) * size_.x,
-                (0.5F - 0.5F * clip.y / clip.w) * size_.y, depth};
-    }
-    /// From the position toward the eye, of unspecified length.
-    glm::vec3 toEye(const glm::vec3& place) const {
-        if (!camera_.orthographic) return camera_.eye - place;
-        return {camera_.view[0][2], camera_.view[1][2], camera_.view[2][2]};
-    }
-
-  private:
-    const CameraMatrices& camera_;
-    glm::vec2 size_;
-    glm::mat4 toClip_;
-};
 
 struct Hit {
     Triangle triangle;
     float distance = std::numeric_limits<float>::max();
 };
 
-/// Intersection of the ray with a triangle, from either side (Moeller and Trumbore).
-std::optional<float> meet(const Ray& ray, const Model& model, const Triangle& t) {
-    const glm::vec3& a = model.place[t.a];
-    const glm::vec3 u = model.place[t.b] - a;
-    const glm::vec3 v = model.place[t.c] - a;
+/// Intersection of the ray with a triangle, or a little beyond its sides by `slack`, from either
+/// side (Moeller and Trumbore).
+std::optional<float> meet(const Ray& ray, const std::array<glm::vec3, 3>& corners, float slack) {
+    const glm::vec3& a = corners[0];
+    const glm::vec3 u = corners[1] - a;
+    const glm::vec3 v = corners[2] - a;
     const glm::vec3 p = glm::cross(ray.way, v);
     const float det = glm::dot(u, p);
     if (det == 0.0F) return std::nullopt;
@@ -66,9 +43,7 @@ std::optional<float> meet(const Ray& ray, const Model& model, const Triangle& t)
     const float x = glm::dot(s, p) / det;
     const glm::vec3 q = glm::cross(s, u);
     const float y = glm::dot(ray.way, q) / det;
-    // A little beyond the sides, so that the ray does not slip between two triangles.
-    constexpr float kSlack = 1e-3F;
-    if (x < -kSlack || y < -kSlack || x + y > 1.0F + 2.0F * kSlack) return std::nullopt;
+    if (x < -slack || y < -slack || x + y > 1.0F + 2.0F * slack) return std::nullopt;
     const float distance = glm::dot(v, q) / det;
     if (distance <= 0.0F) return std::nullopt;
     return distance;
@@ -168,7 +143,7 @@ class ScenePicker {
         Hit first;
         forEachNear(ray, 0.0F, [&](const Triangle& t) {
             if (t.a == without || t.b == without || t.c == without) return;
-            const std::optional<float> distance = meet(ray, model_, t);
+            const std::optional<float> distance = meet(ray, model_.cornersOf(t), kRaySlack);
             if (distance && *distance < first.distance) first = {t, *distance};
         });
         return first;
@@ -405,8 +380,7 @@ constexpr std::size_t kSearchedUpTo = 3'000'000;
 
 /// The line from a point to the eye.
 struct SightLine {
-    glm::vec3 from{0.0F};
-    glm::vec3 toEye{0.0F};  ///< Unit.
+    Ray ray;  ///< Toward the eye.
     float length = 0.0F;
 };
 
@@ -414,24 +388,6 @@ glm::vec3 towardEye(const CameraMatrices& camera, const glm::vec3& place) {
     if (!camera.orthographic) return camera.eye - place;
     // Longer than the scene.
     return 10.0F * glm::vec3(camera.view[0][2], camera.view[1][2], camera.view[2][2]);
-}
-
-/// Whether the line meets the triangle at a place outside of the sphere (Moeller and Trumbore).
-bool meetsOutside(const SightLine& sight, const std::array<glm::vec3, 3>& corners,
-                  const DecisionPlace& place) {
-    const glm::vec3 u = corners[1] - corners[0];
-    const glm::vec3 v = corners[2] - corners[0];
-    const glm::vec3 p = glm::cross(sight.toEye, v);
-    const float det = glm::dot(u, p);
-    if (det == 0.0F) return false;
-    const glm::vec3 s = sight.from - corners[0];
-    const float x = glm::dot(s, p) / det;
-    const glm::vec3 q = glm::cross(s, u);
-    const float y = glm::dot(sight.toEye, q) / det;
-    if (x < 0.0F || y < 0.0F || x + y > 1.0F) return false;
-    const float along = glm::dot(v, q) / det;
-    return along > 0.0F && along < sight.length &&
-           glm::distance(sight.from + along * sight.toEye, place.center) > place.radius;
 }
 
 }  // namespace
@@ -462,11 +418,11 @@ bool isHidden(const Model& model, std::span<const Triangle> triangles, const Cam
     sights.reserve(place.points.size());
     for (const glm::vec3& point : place.points) {
         const glm::vec3 way = towardEye(camera, point);
-        sights.push_back({point, glm::normalize(way), glm::length(way)});
+        sights.push_back({{point, glm::normalize(way)}, glm::length(way)});
     }
     const glm::vec3 axis = glm::normalize(towardEye(camera, place.center));
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-        const std::array corners = {model.place[t.a], model.place[t.b], model.place[t.c]};
+        const std::array corners = model.cornersOf(t);
         const glm::vec3 offset = corners[0] - place.center;
         const glm::vec3 u = corners[1] - corners[0];
         const glm::vec3 v = corners[2] - corners[0];
@@ -477,7 +433,9 @@ bool isHidden(const Model& model, std::span<const Triangle> triangles, const Cam
         if (front + size < 0.0F || glm::dot(offset, offset) - front * front > reach * reach)
             return false;
         return std::any_of(sights.begin(), sights.end(), [&](const SightLine& sight) {
-            return meetsOutside(sight, corners, place);
+            const std::optional<float> along = meet(sight.ray, corners, 0.0F);
+            return along && *along < sight.length &&
+                   glm::distance(sight.ray.at(*along), place.center) > place.radius;
         });
     });
 }
