@@ -70,17 +70,22 @@ void Document::begin(const Options& options) {
     arrival_.generation = c_.session.generation();
     annotatedSource_ = options.input.source;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
-    if (!options.goTo.empty()) {
-        arrival_.goTo = options.goTo;
-        arrival_.framed = !options.camera;
-    }
-    arrival_.framed = arrival_.framed || options.focus;
-    const bool named = !options.goTo.empty() || !options.alert.empty() || options.camera ||
-                       options.atDifference || options.session;
-    if (!named) aimAtScene(options.input.source);
-    if (options.camera) arrival_.camera = options.camera;
-    arrival_.stateHash = options.stateHash;
+    aimAt(options);
     c_.session.open(options.input);
+}
+
+/// At what is named to be shown; without it a scene opens at its decision.
+void Document::aimAt(const LinkOptions& named) {
+    if (!named.goTo.empty()) {
+        arrival_.goTo = named.goTo;
+        arrival_.framed = !named.camera;
+    }
+    arrival_.framed = arrival_.framed || named.focus;
+    if (named.camera) arrival_.camera = named.camera;
+    arrival_.stateHash = named.stateHash;
+    if (named.goTo.empty() && named.alert.empty() && !named.camera && !named.session &&
+        !(named.atDifference && with_))
+        aimAtScene(named.input.source);
 }
 
 /// A scene opens at the decision that it demonstrates, framed.
@@ -202,14 +207,9 @@ void Document::openLinkNow(const Options& link) {
     arrival_.with = std::move(other);
     if (link.atDifference) arrival_.notice = "Press D for the first difference.";
     arrival_.session = link.session;
-    arrival_.goTo = link.goTo;
-    arrival_.camera = link.camera;
-    arrival_.framed = link.focus || (!link.goTo.empty() && !link.camera);
     arrival_.alert = link.alert;
     arrival_.play = link.playSeconds;
-    arrival_.stateHash = link.stateHash;
-    if (link.goTo.empty() && !link.camera && link.alert.empty() && !link.session)
-        aimAtScene(link.input.source);
+    aimAt(link);
     openInput(link.input);
 }
 
@@ -338,23 +338,31 @@ void Document::warn() {
     if (!said_.empty()) c_.session.messages().say(std::exchange(said_, {}));
 }
 
-void Document::open(const std::string& source) { askToLeave({LeaveFor::Open, source, {}}); }
+void Document::open(const std::string& source, const std::string& notice) {
+    const auto go = [this, source, notice] {
+        openNow(source);
+        arrival_.notice = notice;
+    };
+    askToLeave({LeaveFor::Open, go, isVolumePath(source) || isTraceFile(source)});
+}
 
 void Document::openSpec(RunSpec spec) {
     const bool same = c_.session.ready() && c_.session.input().spec().source == spec.source;
-    const std::string source = spec.source;
-    askToLeave({same ? LeaveFor::Reload : LeaveFor::Open, source, {}, std::move(spec)});
+    askToLeave({same ? LeaveFor::Reload : LeaveFor::Open,
+                [this, spec = std::move(spec)] { openNow(spec); }});
 }
 
 void Document::openLink(Options link) {
-    Leave to{LeaveFor::Open, {}, {}};
-    to.open = [this, link = std::move(link)] { openLinkNow(link); };
-    askToLeave(std::move(to));
+    askToLeave({LeaveFor::Open, [this, link = std::move(link)] { openLinkNow(link); }});
 }
 
-void Document::reload() { askToLeave({LeaveFor::Reload, {}, {}}); }
+void Document::reload() {
+    askToLeave({LeaveFor::Reload, [this] { reloadNow(); }});
+}
 
-void Document::quit() { askToLeave({LeaveFor::Quit, {}, {}}); }
+void Document::quit() {
+    askToLeave({LeaveFor::Quit, [this] { c_.ui.quitting = true; }});
+}
 
 void Document::askToLeave(Leave to) {
     c_.ui.betweenFrames([this, to = std::move(to)] { leave(to); });
@@ -362,29 +370,10 @@ void Document::askToLeave(Leave to) {
 
 void Document::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
-    const bool stays =
-        to.what == LeaveFor::Open && !to.spec && (isVolumePath(to.path) || isTraceFile(to.path));
     const std::string lost = to.what == LeaveFor::Reload ? unsaved() : atStake();
-    if (lost.empty() || stays) return go(to);
+    if (lost.empty() || to.keeps) return to.go();
     c_.playback.pause();
     c_.ui.leaving.ask(std::move(to), lost);
-}
-
-void Document::go(const Leave& to) {
-    if (to.open) return to.open();
-    if (to.spec) return openNow(*to.spec);
-    switch (to.what) {
-        case LeaveFor::Quit:
-            c_.ui.quitting = true;
-            break;
-        case LeaveFor::Open:
-            openNow(to.path);
-            arrival_.notice = to.notice;
-            break;
-        case LeaveFor::Reload:
-            reloadNow();
-            break;
-    }
 }
 
 void Document::reloadNow() {
@@ -395,18 +384,16 @@ void Document::reloadNow() {
 }
 
 void Document::run(const RunSpec& spec, Resume resume) {
-    c_.ui.betweenFrames([this, spec, resume] { runNow(spec, resume); });
-}
-
-void Document::runNow(const RunSpec& spec, Resume resume) {
-    const Session& session = c_.session;
-    if (!session.ready()) return;
-    if (withRulesOf(session.input().spec(), spec) == spec) return rerun(spec, resume);
-    if (session.input().phase() == SessionPhase::Loading) return;
-    c_.playback.pause();
-    expectArrival({});
-    arrival_.toEnd = true;
-    openInput(spec);
+    c_.ui.betweenFrames([this, spec, resume] {
+        const Session& session = c_.session;
+        if (!session.ready()) return;
+        if (withRulesOf(session.input().spec(), spec) == spec) return rerun(spec, resume);
+        if (session.input().phase() == SessionPhase::Loading) return;
+        c_.playback.pause();
+        expectArrival({});
+        arrival_.toEnd = true;
+        openInput(spec);
+    });
 }
 
 void Document::rerun(const RunSpec& rules, Resume resume) {
@@ -442,7 +429,7 @@ void Document::answer(LeaveAnswer answer) {
     if (answer != LeaveAnswer::Discard) return;
     c_.ui.betweenFrames([this, to = question.leave] {
         putBack(saved_, c_.ui);
-        go(to);
+        to.go();
     });
 }
 
@@ -465,13 +452,11 @@ void Document::drop(const std::vector<std::string>& paths) {
     const auto session = std::find_if(paths.begin(), paths.end(), [&paths](const auto& path) {
         return path.ends_with(kSessionExtension) && hasPointsOfSession(paths, path);
     });
-    Leave to{LeaveFor::Open, session != paths.end() ? *session : paths.front(), {}};
+    const std::string& path = session != paths.end() ? *session : paths.front();
     const std::size_t together = session != paths.end() ? 2 : 1;
-    if (paths.size() > together) {
-        to.notice = std::to_string(paths.size()) + " files were dropped; only one was opened: " +
-                    std::filesystem::path(to.path).filename().string() + ".";
-    }
-    askToLeave(std::move(to));
+    if (paths.size() <= together) return open(path);
+    open(path, std::to_string(paths.size()) + " files were dropped; only one was opened: " +
+                   std::filesystem::path(path).filename().string() + ".");
 }
 
 void Document::save() {
@@ -479,8 +464,7 @@ void Document::save() {
     if (isStandardInput(c_.session.input().spec().source))
         return c_.session.messages().say(
             "A session refers to a file, but these points came from standard input. Save them to a "
-            "file "
-            "first.");
+            "file first.");
     if (c_.ui.sessionPath.empty()) return actions::openBrowser(c_, BrowserTask::SaveSession);
     saveAs(c_.ui.sessionPath);
 }
@@ -501,7 +485,7 @@ void Document::saveAs(const std::string& path) {
     note(path);
     c_.session.messages().say("Saved " + path + ".");
     if (!afterSaving_) return;
-    c_.ui.betweenFrames([this, to = *std::exchange(afterSaving_, std::nullopt)] { go(to); });
+    c_.ui.betweenFrames(std::exchange(afterSaving_, std::nullopt)->go);
 }
 
 std::string Document::atStake() const {

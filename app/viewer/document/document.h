@@ -36,8 +36,8 @@ class Document {
 
     // What the user does. What has unsaved annotations or settings is left after a question only.
     /// Opens a point file, `scene:ID`, the line of a SampleSpec, a session file or a lesson; for a
-    /// volume the page with new points.
-    void open(const std::string& source);
+    /// volume the page with new points. `notice`: said on arrival.
+    void open(const std::string& source, const std::string& notice = {});
     /// Opens an input with its options: the current one prepared in another way, or points that
     /// were sampled here and are shown already.
     void openSpec(RunSpec spec);
@@ -72,6 +72,8 @@ class Document {
     void note(const std::string& file);
     /// State that survives a restart.
     const KeptFile& kept() const { return kept_; }
+    /// Changes that file. A failure is said.
+    void keep(const std::function<void(KeptState&)>& change);
     /// Goes to the requested position as soon as the requested input is open.
     void poll();
 
@@ -141,15 +143,14 @@ class Document {
     /// Leaves at once, or asks first if something would be lost.
     void askToLeave(Leave to);
     void leave(Leave to);
-    void go(const Leave& to);
     void openNow(const std::string& source);
     void openNow(RunSpec spec);
     void openLinkNow(const Options& link);
-    void runNow(const RunSpec& spec, Resume resume);
     void reloadNow();
     /// Waits for another input; `file` goes to the list of recent files.
     void expectArrival(const std::string& file);
     void openInput(RunSpec spec);
+    void aimAt(const LinkOptions& named);
     void aimAtScene(const std::string& source);
     void compareWithTrace(const std::string& path);
     void openSession(const std::string& path);
@@ -160,7 +161,6 @@ class Document {
     void arrive();
     void checkEnd();
     void keepLayout();
-    void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.
     void sayLater(const std::string& sentence);
 

@@ -104,22 +104,14 @@ void UndoStack::observe(const Edits& now, double seconds, bool changing) {
     }
 }
 
-std::optional<UndoStack::Step> UndoStack::undo(const Edits& now) {
+std::optional<UndoStack::Step> UndoStack::step(const Edits& now, std::vector<Edits>& from,
+                                               std::vector<Edits>& to) {
     note(now);
     cameraMoved_ = false;
-    if (past_.empty()) return std::nullopt;
-    future_.push_back(std::exchange(present_, past_.back()));
-    past_.pop_back();
-    return Step{present_, describeChange(future_.back(), present_)};
-}
-
-std::optional<UndoStack::Step> UndoStack::redo(const Edits& now) {
-    note(now);
-    cameraMoved_ = false;
-    if (future_.empty()) return std::nullopt;
-    past_.push_back(std::exchange(present_, future_.back()));
-    future_.pop_back();
-    return Step{present_, describeChange(past_.back(), present_)};
+    if (from.empty()) return std::nullopt;
+    to.push_back(std::exchange(present_, from.back()));
+    from.pop_back();
+    return Step{present_, describeChange(to.back(), present_)};
 }
 
 Annotations annotationsOf(const UiState& ui) {
@@ -175,36 +167,27 @@ void EditHistory::observe(bool changing) {
 }
 
 /// An input is being opened: says so.
-bool EditHistory::waits() {
-    const bool opening = c_.session.input().phase() == SessionPhase::Loading;
-    if (opening) c_.session.messages().say("Wait until the input is open.");
-    return opening;
-}
+void EditHistory::undo() { go(&UndoStack::undo, "Undone: ", "There is nothing to undo."); }
 
-void EditHistory::undo() {
-    c_.ui.betweenFrames([this] {
-        if (!waits()) apply(stack_.undo(captureEdits(c_)), "Undone: ", "There is nothing to undo.");
+void EditHistory::redo() { go(&UndoStack::redo, "Redone: ", "There is nothing to redo."); }
+
+void EditHistory::go(std::optional<UndoStack::Step> (UndoStack::*step)(const Edits& now),
+                     const char* done, const char* nothing) {
+    c_.ui.betweenFrames([this, step, done, nothing] {
+        Messages& messages = c_.session.messages();
+        if (c_.session.input().phase() == SessionPhase::Loading)
+            return messages.say("Wait until the input is open.");
+        const auto taken = (stack_.*step)(captureEdits(c_));
+        if (!taken) return messages.say(nothing);
+        applyEdits(taken->edits, c_);
+        Edits made = captureEdits(c_);
+        // An input that was opened again has no selection.
+        if (c_.document.arriving()) made.selected = {};
+        made.input = taken->edits.input;
+        stack_.accept(made);
+        messages.say(done + taken->change + ".");
+        if (c_.document.arriving()) c_.document.sayOnArrival(messages.notice());
     });
-}
-
-void EditHistory::redo() {
-    c_.ui.betweenFrames([this] {
-        if (!waits()) apply(stack_.redo(captureEdits(c_)), "Redone: ", "There is nothing to redo.");
-    });
-}
-
-void EditHistory::apply(const std::optional<UndoStack::Step>& step, const char* done,
-                        const char* nothing) {
-    Messages& messages = c_.session.messages();
-    if (!step) return messages.say(nothing);
-    applyEdits(step->edits, c_);
-    Edits made = captureEdits(c_);
-    // An input that was opened again has no selection.
-    if (c_.document.arriving()) made.selected = {};
-    made.input = step->edits.input;
-    stack_.accept(made);
-    messages.say(done + step->change + ".");
-    if (c_.document.arriving()) c_.document.sayOnArrival(messages.notice());
 }
 
 }  // namespace se::view

@@ -52,8 +52,8 @@ class UndoStack {
         Edits edits;
         std::string change;
     };
-    std::optional<Step> undo(const Edits& now);
-    std::optional<Step> redo(const Edits& now);
+    std::optional<Step> undo(const Edits& now) { return step(now, past_, future_); }
+    std::optional<Step> redo(const Edits& now) { return step(now, future_, past_); }
 
     /// State that resulted from a step, which may differ from its edits in the last digits.
     void accept(const Edits& now) { present_ = now; }
@@ -66,6 +66,7 @@ class UndoStack {
 
   private:
     void note(const Edits& now);
+    std::optional<Step> step(const Edits& now, std::vector<Edits>& from, std::vector<Edits>& to);
 
     Edits present_;
     std::vector<Edits> past_;
@@ -100,8 +101,8 @@ class EditHistory {
     std::size_t redoDepth() const { return stack_.redoDepth(); }
 
   private:
-    bool waits();
-    void apply(const std::optional<UndoStack::Step>& step, const char* done, const char* nothing);
+    void go(std::optional<UndoStack::Step> (UndoStack::*step)(const Edits& now), const char* done,
+            const char* nothing);
 
     CommandContext& c_;
     UndoStack stack_;

@@ -41,9 +41,7 @@ void FirstRun::end() {
     c_.ui.offersTour =
         !c_.ui.lesson.walk.isOpen() && c_.document.kept().read().lessons.count(tour) == 0;
     // Once: the tour begins with its first step.
-    const Status noted =
-        c_.document.kept().change([&](KeptState& state) { state.lessons.try_emplace(tour, 0); });
-    if (!noted) c_.session.messages().say(noted.error().message);
+    c_.document.keep([&](KeptState& state) { state.lessons.try_emplace(tour, 0); });
 }
 
 }  // namespace se::view

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "compare/comparison.h"
-#include "input/clipboard.h"
 #include "input/go_to_box.h"
 #include "input/key_routing.h"
 #include "input/view_drag.h"
@@ -34,6 +33,41 @@
 
 namespace se::view {
 
+/// The clipboard: of the desktop once it is connected, until then a text in memory.
+class Clipboard {
+  public:
+    using Read = std::function<std::string()>;
+    using Write = std::function<void(const std::string& text)>;
+
+    void connect(Read read, Write write) {
+        read_ = std::move(read);
+        write_ = std::move(write);
+    }
+    std::string text() const { return read_ ? read_() : text_; }
+    void copy(const std::string& text) {
+        text_ = text;
+        if (write_) write_(text);
+    }
+    /// The last text that this program has copied.
+    const std::string& copied() const { return text_; }
+
+  private:
+    Read read_;
+    Write write_;
+    std::string text_;
+};
+
+// Files of the reader's machine where the program sees only its own, as in a page.
+
+struct HostFiles {
+    /// Lets the reader choose files, which arrive as dropped ones. Empty: the program sees the
+    /// machine's files itself.
+    std::function<void()> pick;
+
+    /// Files are known only as long as the page: saved ones go to the downloads.
+    bool apart() const { return static_cast<bool>(pick); }
+};
+
 // The question before unsaved work is left. Plain values.
 
 enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
@@ -42,10 +76,8 @@ enum class LeaveAnswer : std::uint8_t { Save, Discard, Cancel };
 /// Destination after the question.
 struct Leave {
     LeaveFor what = LeaveFor::Quit;
-    std::string path;                            ///< Of LeaveFor::Open: a path or `scene:ID`.
-    std::string notice;                          ///< Message on arrival.
-    std::optional<RunSpec> spec = std::nullopt;  ///< Input to open, with its options.
-    std::function<void()> open = nullptr;        ///< Opens what a link names, instead of these.
+    std::function<void()> go = nullptr;
+    bool keeps = false;  ///< The open input stays open, and nothing is lost.
 };
 
 /// The question, while it is open.

@@ -26,10 +26,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool isAmong(const std::vector<std::string>& names, const Layer& layer) {
+    return std::find(names.begin(), names.end(), layer.name) != names.end();
+}
+
 void setMode(LayerModes& layers, const std::vector<std::string>& names, LayerMode mode) {
     for (const Layer& each : view::layers()) {
-        if (std::find(names.begin(), names.end(), each.name) != names.end())
-            modeOf(layers, each.id) = mode;
+        if (isAmong(names, each)) modeOf(layers, each.id) = mode;
     }
 }
 
@@ -253,9 +256,7 @@ void LessonPlayer::keepStep() {
     if (seed) panel().nextPractice = *seed + 1;
     // Its source is its text.
     if (isPacked(source)) return;
-    const Status kept =
-        c_.document.kept().change([&](KeptState& state) { state.lessons[source] = number; });
-    if (!kept) c_.session.messages().say(kept.error().message);
+    c_.document.keep([&](KeptState& state) { state.lessons[source] = number; });
 }
 
 /// The file is read again when it has changed.
@@ -523,16 +524,12 @@ void LessonPlayer::conclude() {
 }
 
 void LessonChoices::pinLayers(const teach::LessonStep& step) {
+    LayerModes& modes = c_.ui.settings.layers;
     for (const Layer& layer : layers()) {
-        const auto among = [&](const std::vector<std::string>& names) {
-            return std::find(names.begin(), names.end(), layer.name) != names.end();
-        };
-        const bool pins = among(step.pin);
-        if (!pins && !among(step.hide)) continue;
-        LayerMode& mode = modeOf(c_.ui.settings.layers, layer.id);
-        layers_.emplace_back(layer.id, mode);
-        mode = pins ? LayerMode::PinnedOn : LayerMode::PinnedOff;
+        if (isAmong(step.pin, layer) || isAmong(step.hide, layer))
+            layers_.emplace_back(layer.id, modeOf(modes, layer.id));
     }
+    modes = layersOfStep(modes, step);
 }
 
 void LessonChoices::play(PlayUnit unit, double rate, const Address& until) {
