@@ -266,38 +266,35 @@ std::vector<Triangle> ComparedRuns::ghostsOf(const std::vector<Index>& region,
     return ghosts;
 }
 
-void ComparedRuns::showRegion(std::size_t number) {
-    c_.ui.betweenFrames([this, number] { showRegionNow(number); });
-}
-
 /// Shows both meshes at the end of their runs, with the region in the middle.
-void ComparedRuns::showRegionNow(std::size_t number) {
-    if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
-    const DifferenceRegion& region = shaded_->meshes.regions[number];
-    c_.ui.compare.region = number;
-    // A vertex of the mesh that is no point of the run has no position in the view of the run.
-    const std::size_t points = shaded_->a->place.size();
-    ghosts_[0] = ghostsOf(region.inB, shaded_->runs.b.triangles);
-    std::erase_if(ghosts_[0], [&](const Triangle& t) {
-        return std::max({t.a, t.b, t.c}) >= points;
+void ComparedRuns::showRegion(std::size_t number) {
+    c_.ui.betweenFrames([this, number] {
+        if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
+        const DifferenceRegion& region = shaded_->meshes.regions[number];
+        c_.ui.compare.region = number;
+        // A vertex of the mesh that is no point of the run has no position in the view of the run.
+        const std::size_t points = shaded_->a->place.size();
+        ghosts_[0] = ghostsOf(region.inB, shaded_->runs.b.triangles);
+        std::erase_if(ghosts_[0], [&](const Triangle& t) {
+            return std::max({t.a, t.b, t.c}) >= points;
+        });
+        ghosts_[1] = ghostsOf(region.inA, shaded_->runs.a.triangles);
+        ++lookRevision_;
+        frameFault(*shaded_->b, region.points, c_.ui.viewPart(), c_.camera);
+        if (!c_.session.atEnd()) c_.session.moves().toEnd();
     });
-    ghosts_[1] = ghostsOf(region.inA, shaded_->runs.a.triangles);
-    ++lookRevision_;
-    frameFault(*shaded_->b, region.points, c_.ui.viewPart(), c_.camera);
-    if (!c_.session.atEnd()) c_.session.moves().toEnd();
 }
 
 void ComparedRuns::swap() {
-    c_.ui.betweenFrames([this] { swapNow(); });
-}
-
-void ComparedRuns::swapNow() {
-    const Session* other = comparison_.other();
-    if (other == nullptr) return c_.session.messages().say("B has no decisions to step through.");
-    waiting_ = CompareWith::otherRun(c_.session.input().spec());
-    c_.document.openSpec(other->input().spec());
-    comparison_.cancel();
-    takeResult();
+    c_.ui.betweenFrames([this] {
+        const Session* other = comparison_.other();
+        if (other == nullptr)
+            return c_.session.messages().say("B has no decisions to step through.");
+        waiting_ = CompareWith::otherRun(c_.session.input().spec());
+        c_.document.openSpec(other->input().spec());
+        comparison_.cancel();
+        takeResult();
+    });
 }
 
 }  // namespace se::view

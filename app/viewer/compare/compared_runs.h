@@ -75,8 +75,6 @@ class ComparedRuns {
     bool isReady();
     void stepRegion(int direction);
     void toDifference(const std::optional<RunDifference>& difference, const char* nothing);
-    void swapNow();
-    void showRegionNow(std::size_t number);
     std::vector<Triangle> ghostsOf(const std::vector<Index>& region,
                                    const std::vector<Triangle>& mesh) const;
 

@@ -200,12 +200,12 @@ namespace {
 constexpr std::uint32_t kNowhere = 0xffffffffU;
 
 /// The run, and the other one prepared from its own points.
-std::string compareTwo(Compared& found, const Progress& progress) {
+Status compareTwo(Compared& found, const Progress& progress) {
     Result<RunComparison> runs = compareRuns({found.a->points, found.a->params},
                                              {found.b->points, found.b->params}, progress);
-    if (!runs) return runs.error().message;
+    if (!runs) return runs.error();
     found.runs = std::move(runs.value());
-    return {};
+    return success();
 }
 
 /// Positions for drawing a mesh on the points of `run`; its extra vertices come after them.
@@ -230,43 +230,43 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
 }
 
 /// The run, and a mesh that is finished already.
-std::string compareWithMesh(Compared& found, const std::string& path, const ByteLimit& limit,
-                            const Progress& progress) {
+Status compareWithMesh(Compared& found, const std::string& path, const ByteLimit& limit,
+                       const Progress& progress) {
     const Result<PointFile> file = readPoints(std::filesystem::path(path), limit, unpackGzip);
-    if (!file) return file.error().message;
-    if (file.value().faces.empty()) return path + " has no triangles to compare with.";
+    if (!file) return file.error();
+    if (file.value().faces.empty()) return Error{path + " has no triangles to compare with."};
     MatchedMesh matched = matchMesh(found.a->points.position, file.value());
     found.b = stillModel(*found.a, matched, std::filesystem::path(path).filename().string());
     Result<MadeMesh> run = makeMesh({found.a->points, found.a->params}, progress);
-    if (!run) return run.error().message;
+    if (!run) return run.error();
     found.runs.a = std::move(run.value());
     found.runs.b.triangles = std::move(matched.triangles);
     found.unmatchedVertices = std::move(matched.unmatchedNumbers);
-    return {};
+    return success();
 }
 
 /// The run, and the trace of another implementation.
-std::string compareWithTrace(Compared& found, const std::string& path, const Progress& progress) {
+Status compareWithTrace(Compared& found, const std::string& path, const Progress& progress) {
     Result<teach::Trace> trace = teach::readTraceFile(path);
-    if (!trace) return trace.error().message;
+    if (!trace) return trace.error();
     const PointSet& points = found.a->points;
     if (const Status same = teach::requireTraceOf(trace.value(), points, path); !same)
-        return same.error().message;
+        return same.error();
     const Params& params = found.a->params;
     const SharedPoints shared(std::shared_ptr<const PointSet>(found.a, &points));
     Result<teach::TraceComparison> comparison =
         teach::compareTrace(trace.value(), shared, params, std::nullopt, progress);
-    if (!comparison) return comparison.error().message;
+    if (!comparison) return comparison.error();
     std::string guess;
     const auto& difference = comparison.value().difference;
     if (difference && difference->runPivots == 0) {
         const auto rules = teach::guessRules(trace.value(), shared, params, std::nullopt, progress);
-        if (!rules) return rules.error().message;
+        if (!rules) return rules.error();
         guess = teach::guessText(rules.value(), trace.value());
         guess.pop_back();  // the end of the line
     }
     Result<MadeMesh> run = makeMesh({points, params}, progress);
-    if (!run) return run.error().message;
+    if (!run) return run.error();
     found.b = found.a;
     found.runs.a = std::move(run.value());
     found.runs.commonPivots = static_cast<std::uint32_t>(comparison.value().alike);
@@ -274,29 +274,22 @@ std::string compareWithTrace(Compared& found, const std::string& path, const Pro
     found.runs.b = replay.mesh();
     found.trace = std::make_shared<const ComparedTrace>(
         ComparedTrace{std::move(replay), std::move(comparison.value()), std::move(guess)});
-    return {};
+    return success();
 }
 
-void compareTriangles(Compared& found) {
-    const std::span<const Triangle> ofA = found.runs.a.triangles;
-    const std::span<const Triangle> ofB = found.runs.b.triangles;
-    found.meshes = compareMeshes(found.b->points.position, ofA, ofB);
-    found.setA = TriangleSet(ofA);
-    found.setB = TriangleSet(ofB);
-}
-
-/// Of a mesh from a file if `b` is null.
-Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Model>& a,
-                                                const std::shared_ptr<const Model>& b,
-                                                const std::string& mesh, const ByteLimit& limit,
-                                                const Progress& progress) {
+/// `compareWith` finds what is compared: a run `b`, or a file.
+Result<std::shared_ptr<const Compared>> compare(
+    const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b,
+    const std::function<Status(Compared& found)>& compareWith) {
     auto found = std::make_shared<Compared>();
     found->a = a;
     found->b = b;
-    std::string complaint =
-        b ? compareTwo(*found, progress) : compareWithMesh(*found, mesh, limit, progress);
-    if (!complaint.empty()) return Error{std::move(complaint)};
-    compareTriangles(*found);
+    if (const Status compared = compareWith(*found); !compared) return compared.error();
+    const std::span<const Triangle> ofA = found->runs.a.triangles;
+    const std::span<const Triangle> ofB = found->runs.b.triangles;
+    found->meshes = compareMeshes(found->b->points.position, ofA, ofB);
+    found->setA = TriangleSet(ofA);
+    found->setB = TriangleSet(ofB);
     return std::shared_ptr<const Compared>(std::move(found));
 }
 
@@ -325,12 +318,8 @@ void Comparison::start(const Session& run, CompareWith with) {
 void Comparison::startTrace(const Session& run, const std::string& path) {
     traceFile_.begin(path);
     traceQuery_.start([a = run.sharedModel(), path](const Progress& progress) {
-        auto found = std::make_shared<Compared>();
-        found->a = a;
-        std::string complaint = compareWithTrace(*found, path, progress);
-        if (!complaint.empty()) return Result<std::shared_ptr<const Compared>>(Error{complaint});
-        compareTriangles(*found);
-        return Result<std::shared_ptr<const Compared>>(std::move(found));
+        return compare(a, nullptr,
+                       [&](Compared& found) { return compareWithTrace(found, path, progress); });
     });
 }
 
@@ -422,8 +411,12 @@ void Comparison::startJob(const Session& run) {
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
     const ByteLimit limit{run.input().spec().maxBytes};
-    query_.start([a = comparedA_, b = comparedB_, mesh = with_.path, limit](
-                     const Progress& progress) { return compare(a, b, mesh, limit, progress); });
+    query_.start([a = comparedA_, b = comparedB_, mesh = with_.path,
+                  limit](const Progress& progress) {
+        return compare(a, b, [&](Compared& found) {
+            return b ? compareTwo(found, progress) : compareWithMesh(found, mesh, limit, progress);
+        });
+    });
 }
 
 bool Comparison::takeResult() {

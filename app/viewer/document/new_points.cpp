@@ -169,17 +169,15 @@ void NewPoints::use() {
 }
 
 void NewPoints::leave() {
-    c_.ui.betweenFrames([this] { close(); });
-}
-
-void NewPoints::close() {
-    growth_.cancel();
-    c_.ui.growth.open = false;
-    model_.reset();
-    homeOf_.clear();
-    ++revision_;
-    if (before_) c_.camera.setPose(*before_);
-    before_.reset();
+    c_.ui.betweenFrames([this] {
+        growth_.cancel();
+        c_.ui.growth.open = false;
+        model_.reset();
+        homeOf_.clear();
+        ++revision_;
+        if (before_) c_.camera.setPose(*before_);
+        before_.reset();
+    });
 }
 
 void NewPoints::save(const std::string& path) {

@@ -59,7 +59,6 @@ class NewPoints {
   private:
     void showPage(GrowthSource from);
     void takePicture();
-    void close();
 
     CommandContext& c_;
     Growth growth_;
