@@ -125,10 +125,9 @@ std::string sentenceAt(const Session& session) {
 /// The steps to export, from 0.
 std::vector<std::size_t> chosenSteps(const ExportOrder& order) {
     std::vector<std::size_t> steps(order.lesson->lesson.steps.size());
-    std::iota(steps.begin(), steps.end(), std::size_t{0});
-    if (order.steps.empty()) return steps;
-    steps.clear();
-    for (const std::size_t step : order.steps) steps.push_back(step - 1);
+    std::iota(steps.begin(), steps.end(), std::size_t{1});
+    if (!order.steps.empty()) steps = order.steps;
+    for (std::size_t& step : steps) --step;
     return steps;
 }
 
@@ -164,22 +163,10 @@ ExportRun::~ExportRun() {
 
 void ExportRun::advance(bool waits) {
     const ImGuiScope scope(context_);
-    makeFrames(waits);
-}
-
-void ExportRun::makeFrames(bool waits) {
-    switch (phase_) {
-        case Phase::Starting:
-            return start();
-        case Phase::Opening:
-            return open(waits);
-        case Phase::Planning:
-            return plan();
-        case Phase::Frames:
-            return makeFrame();
-        case Phase::Done:
-            return;
-    }
+    if (phase_ == Phase::Starting) return start();
+    if (phase_ == Phase::Opening) return open(waits);
+    if (phase_ == Phase::Planning) return plan();
+    if (phase_ == Phase::Frames) makeFrame();
 }
 
 void ExportRun::fail(int code, std::string message) {

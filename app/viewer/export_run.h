@@ -77,7 +77,6 @@ class ExportRun {
   private:
     enum class Phase : std::uint8_t { Starting, Opening, Planning, Frames, Done };
 
-    void makeFrames(bool waits);
     void start();
     void open(bool waits);
     void plan();

@@ -319,11 +319,9 @@ void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
 
 /// Throws the errors that CLI11 reports as wrong usage.
 void takeOver(const RawOptions& raw, Options& o) {
-    o.size = pictureSize(raw.size.empty() ? "1280x800" : raw.size);
-    if (!o.size) {
+    o.size = pictureSize(raw.size);
+    if (!o.size && !raw.size.empty())
         throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
-    }
-    if (raw.size.empty()) o.size.reset();
     if (!raw.place.empty()) {
         const Result<ViewPosition> place = viewPositionFromText(raw.place);
         if (!place) throw CLI::ValidationError("--place", place.error().message);

@@ -289,19 +289,15 @@ bool passes(const CommandContext& context, const Stop& stop, int count) {
     const RunPosition here = session.place();
     const RunPosition there = stop.hit.place;
     const auto steps = static_cast<std::uint32_t>(count);
-    switch (context.playback.unit()) {
-        case PlayUnit::SubStep:
-            // Single steps near a stop are handled by the caller.
-            return there.pivot == here.pivot ? there.event <= here.event + steps
-                                             : there.pivot <= here.pivot + steps;
-        case PlayUnit::Pivot:
-            return there.pivot <= here.pivot + steps;
-        case PlayUnit::Event: {
-            const std::optional<Address> mark = session.nextMark(1);
-            return !mark || there.pivot <= mark->pivot;
-        }
+    const PlayUnit unit = context.playback.unit();
+    if (unit == PlayUnit::Event) {
+        const std::optional<Address> mark = session.nextMark(1);
+        return !mark || there.pivot <= mark->pivot;
     }
-    return false;
+    // Single steps near a stop are handled by the caller.
+    return unit == PlayUnit::SubStep && there.pivot == here.pivot
+               ? there.event <= here.event + steps
+               : there.pivot <= here.pivot + steps;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "mesh_saving.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <filesystem>
 #include <utility>
@@ -53,6 +55,10 @@ struct Steps {
     std::string input;
     std::string note;
     std::string piece{};  ///< Options that read the piece of the input.
+
+    void addNote(const char* words, const std::string& file) {
+        note += fmt::format("{}{}{}.", note.empty() ? "" : " ", words, file);
+    }
 };
 
 Steps stepsToSource(const std::string& source, const MeshTarget& target) {
@@ -99,24 +105,16 @@ void addDoctor(const RunSpec& spec, const MeshTarget& target, Steps& steps) {
         // One command repairs everything that any of these checks finds.
         if (!drops && (check->fix != Fix::Repair || files > 0)) continue;
         ++files;
-        std::string file = stem;
-        file.append("-mended");
-        if (files > 1) file.append("-").append(std::to_string(files));
-        std::string repaired = besideMesh(target, file.append(".ply"));
-        steps.before.append("{ ").append(kProgram);
-        for (const std::string& word :
-             {std::string("doctor"), inputOf(steps), std::string("-q --fix"), shellPath(repaired)})
-            steps.before.append(" ").append(word);
-        if (drops) steps.before.append(" --drop ").append(name);
-        steps.before += "; [ $? -le 1 ]; } && ";
+        std::string repaired = besideMesh(
+            target,
+            fmt::format("{}-mended{}.ply", stem, files > 1 ? fmt::format("-{}", files) : ""));
+        steps.before +=
+            fmt::format("{{ {} doctor {} -q --fix {}{}; [ $? -le 1 ]; }} && ", kProgram,
+                        inputOf(steps), shellPath(repaired), drops ? " --drop " + name : "");
         steps.input = std::move(repaired);
         steps.piece.clear();
     }
-    if (files == 0) return;
-    if (!steps.note.empty()) steps.note += ' ';
-    steps.note += "First the points are repaired in ";
-    steps.note += steps.input;
-    steps.note += '.';
+    if (files > 0) steps.addNote("First the points are repaired in ", steps.input);
 }
 
 /// The command that writes a given start, and the option that reads it.
@@ -126,8 +124,7 @@ std::string addStart(const RunSpec& spec, const MeshTarget& target, Steps& steps
     const std::string file = besideMesh(target, stem + ".start.json");
     steps.before +=
         "printf '%s\\n' " + shellQuoted(startJson(spec.start)) + " > " + shellPath(file) + " && ";
-    steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
-                  file + ".";
+    steps.addNote("First the start is written to ", file);
     return " --start " + shellPath(file);
 }
 
@@ -182,14 +179,6 @@ std::string inputStem(const Session& session) {
 }
 
 std::string meshStem(const Session& session) { return inputStem(session) + "-mesh"; }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* kNoTriangle = "This run makes no triangles: there is no mesh to save.";
-
-}  // namespace
 
 bool MeshSaving::dialogOpen() const {
     return c_.ui.fileBrowser && c_.ui.browser == BrowserTask::SaveMesh && c_.session.ready();
@@ -274,7 +263,7 @@ bool MeshSaving::canSave(const std::string& path) {
     if (path.empty() || !c_.session.ready() || saving()) return false;
     form.clearLines();
     if (mesh() == nullptr || !mesh()->triangles->empty()) return true;
-    form.complaint = kNoTriangle;
+    form.complaint = "This run makes no triangles: there is no mesh to save.";
     return false;
 }
 

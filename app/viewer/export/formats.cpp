@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "render/context.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/word_list.h"
@@ -27,6 +28,20 @@ constexpr std::array kFormats{
                  openGifWriter},
     ExportFormat{".mp4", "Video", FrameContent::Pixels, true, true, false, mp4Possible,
                  openMp4Writer},
+};
+
+/// Pictures of pixels, a file per frame.
+class PngWriter : public FrameWriter {
+  public:
+    explicit PngWriter(const ExportTarget& target) : files_(target) {}
+
+    Status add(const ExportFrame& frame) override {
+        return writePicture(files_.next(frame), frame.pixels);
+    }
+    Status finish() override { return files_.writeCaptions(); }
+
+  private:
+    NumberedFiles files_;
 };
 
 /// Whether the path names a folder, to be filled with numbered files.
@@ -132,6 +147,11 @@ fs::path NumberedFiles::captionsPath() const {
 Status NumberedFiles::writeCaptions() const {
     if (!target_.several || !target_.captions) return success();
     return writeFileAtomically(captionsPath(), captions_);
+}
+
+Result<std::unique_ptr<FrameWriter>> openPngWriter(const ExportTarget& target) {
+    if (const Status made = NumberedFiles(target).makeFolder(); !made) return made.error();
+    return std::unique_ptr<FrameWriter>(std::make_unique<PngWriter>(target));
 }
 
 }  // namespace se::view

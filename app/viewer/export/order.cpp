@@ -92,27 +92,13 @@ Status goToLast(RunCursor& cursor, const std::string& place) {
     return moved;
 }
 
-/// Collects the points that the decisions of the frames are about.
-class PointCollector {
-  public:
-    void add(const DecisionState& state) {
-        if (state.pivot != kNone) pivots_.insert(state.pivot);
-        for (const Index p : {state.pivot, state.first, state.last, state.start, state.end,
-                              state.nextPivot, state.underTest}) {
-            if (p != kNone) points_.insert(p);
-        }
-        for (const CandidateMark& each : state.candidates) points_.insert(each.point);
-        for (const Triangle& t : state.newTriangles) points_.insert({t.a, t.b, t.c});
-    }
-    void moveTo(FramePlan& plan) const {
-        plan.points.assign(points_.begin(), points_.end());
-        plan.pivots.assign(pivots_.begin(), pivots_.end());
-    }
-
-  private:
-    std::set<Index> points_;
-    std::set<Index> pivots_;
-};
+/// Adds the points that a decision is about.
+void addPoints(const DecisionState& state, std::set<Index>& points) {
+    points.insert({state.pivot, state.first, state.last, state.start, state.end, state.nextPivot,
+                   state.underTest});
+    for (const CandidateMark& each : state.candidates) points.insert(each.point);
+    for (const Triangle& t : state.newTriangles) points.insert({t.a, t.b, t.c});
+}
 
 }  // namespace
 
@@ -123,7 +109,8 @@ Result<FramePlan> planFrames(const Model& model, const FrameRange& range) {
     const Address last = toStart ? Address{} : cursor.event()->address;
     if (const Status moved = teach::goToPlace(cursor, range.from); !moved) return moved.error();
     FramePlan plan;
-    PointCollector collector;
+    std::set<Index> points;
+    std::set<Index> pivots;
     for (;;) {
         const Event* event = cursor.event();
         if (isFrame(cursor, range.unit)) {
@@ -131,7 +118,8 @@ Result<FramePlan> planFrames(const Model& model, const FrameRange& range) {
                 return Error{"over " + std::to_string(kMaxFrames) +
                              " frames; choose a shorter range, or --unit pivot"};
             plan.places.push_back(event != nullptr ? toString(event->address) : "");
-            collector.add(cursor.state());
+            addPoints(cursor.state(), points);
+            pivots.insert(cursor.state().pivot);
         }
         const bool there = event == nullptr ? toStart : event->address == last;
         if (there) break;
@@ -140,7 +128,9 @@ Result<FramePlan> planFrames(const Model& model, const FrameRange& range) {
     if (plan.places.empty())
         return Error{"there is no split, join, seed or alert from " + range.from + " to " +
                      range.to};
-    collector.moveTo(plan);
+    for (std::set<Index>* each : {&points, &pivots}) each->erase(kNone);
+    plan.points.assign(points.begin(), points.end());
+    plan.pivots.assign(pivots.begin(), pivots.end());
     return plan;
 }
 

@@ -85,20 +85,11 @@ std::string imageText(const TextBlock& block, const PageLinks& links) {
 }
 
 std::string_view tagOf(TextBlockKind kind) {
-    switch (kind) {
-        case TextBlockKind::Heading:
-            return "h3";
-        case TextBlockKind::Code:
-            return "pre";
-        case TextBlockKind::Quote:
-            return "blockquote";
-        case TextBlockKind::Item:
-            return "li";
-        case TextBlockKind::Paragraph:
-        case TextBlockKind::Image:
-            return "p";
-    }
-    return "p";
+    return kind == TextBlockKind::Heading ? "h3"
+           : kind == TextBlockKind::Code  ? "pre"
+           : kind == TextBlockKind::Quote ? "blockquote"
+           : kind == TextBlockKind::Item  ? "li"
+                                          : "p";
 }
 
 }  // namespace
@@ -137,11 +128,7 @@ using Json = nlohmann::ordered_json;
 std::string scriptJson(const Json& value) {
     std::string text;
     for (const char sign : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        if (sign == '<') {
-            text += "\\u003c";
-        } else {
-            text += sign;
-        }
+        text += sign == '<' ? "\\u003c" : std::string(1, sign);
     }
     return text;
 }

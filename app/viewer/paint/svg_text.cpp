@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "dial_painter.h"
+
 namespace se::view {
 
 namespace {
@@ -56,27 +58,14 @@ void appendPlace(std::string& out, glm::vec2 place) {
 
 std::string escapedXml(std::string_view text) {
     std::string out;
+    constexpr std::string_view kSigns = "&<>\"'";
+    constexpr std::array<const char*, 5> kNames = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     for (const char sign : text) {
-        switch (sign) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                // XML has no other control characters.
-                if (static_cast<unsigned char>(sign) >= 32 || sign == '\n' || sign == '\t')
-                    out += sign;
+        if (const std::size_t i = kSigns.find(sign); i < kNames.size()) {
+            out += kNames[i];
+        } else if (static_cast<unsigned char>(sign) >= 32 || sign == '\n' || sign == '\t') {
+            // XML has no other control characters.
+            out += sign;
         }
     }
     return out;
@@ -156,11 +145,6 @@ std::string opacityOf(const char* kind, float alpha) {
     return alpha > 0.995F ? std::string() : fmt::format(" {}-opacity=\"{:.2g}\"", kind, alpha);
 }
 
-glm::vec2 onCircle(glm::vec2 center, float radius, double degrees) {
-    const float a = glm::radians(static_cast<float>(degrees));
-    return center + radius * glm::vec2(std::cos(a), -std::sin(a));
-}
-
 }  // namespace
 
 void SvgPainter::line(glm::vec2 from, glm::vec2 to, const Ink& ink) {
@@ -205,9 +189,10 @@ void SvgPainter::arc(glm::vec2 center, float radius, double from, double to, con
         appendPlace(data, center);
         data += 'L';
     }
-    appendPlace(data, onCircle(center, radius, from));
+    const DialCircle circle{center, radius};
+    appendPlace(data, circle.at(from));
     data += fmt::format("A{0:.1f} {0:.1f} 0 {1} 0 ", radius, to - from > 180.0 ? 1 : 0);
-    appendPlace(data, onCircle(center, radius, to));
+    appendPlace(data, circle.at(to));
     if (ink.width <= 0.0F) return addOutline(ink, data + 'z');
     addPath(attributesOf(ink) + " fill=\"none\" stroke-linecap=\"butt\"", data);
 }

@@ -9,12 +9,12 @@
 
 namespace se::view {
 
+/// A byte of a UTF-8 character that is not its first.
+inline bool continuesSign(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
 /// A UTF-8 text without its last character, which may have several bytes.
 inline std::string withoutLastSign(std::string text) {
-    const auto continues = [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-    };
-    while (!text.empty() && continues(text.back())) text.pop_back();
+    while (!text.empty() && continuesSign(text.back())) text.pop_back();
     if (!text.empty()) text.pop_back();
     return text;
 }
@@ -24,9 +24,7 @@ inline std::string withoutLastSign(std::string text) {
 template <typename Measure>
 std::string withoutMiddle(const std::string& name, float width, const Measure& measure) {
     if (measure(name) <= width) return name;
-    const auto within = [&](std::size_t at) {
-        return at < name.size() && (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U;
-    };
+    const auto within = [&](std::size_t at) { return at < name.size() && continuesSign(name[at]); };
     std::size_t head = name.size() / 2;
     while (within(head)) ++head;
     std::size_t tail = head;

@@ -6,6 +6,7 @@
 #include "run/sample_spec.h"
 #include "run/strings.h"
 #include "session/playback.h"
+#include "session/session_file.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "teach/json_text.h"
@@ -94,20 +95,12 @@ json readKept(const fs::path& path) { return contentOf(path).object; }
 /// empty if there is none.
 std::string keptComplaint(const fs::path& path) {
     const KeptContent content = contentOf(path);
-    const std::string leftAlone =
-        content.reason + ": it is left as it is, the defaults are used, and changes are not kept.";
-    switch (content.fate) {
-        case KeptFate::None:
-        case KeptFate::Read:
-            return {};
-        case KeptFate::Damaged:
-            return content.reason + ". The defaults are used; before the file is written again, " +
-                   "it is kept as " + badPath(path, content.text).filename().string() + ".";
-        case KeptFate::Newer:
-        case KeptFate::Unreadable:
-            return leftAlone;
-    }
-    return {};
+    if (content.fate == KeptFate::None || content.fate == KeptFate::Read) return {};
+    if (content.fate == KeptFate::Damaged)
+        return content.reason + ". The defaults are used; before the file is written again, " +
+               "it is kept as " + badPath(path, content.text).filename().string() + ".";
+    return content.reason +
+           ": it is left as it is, the defaults are used, and changes are not kept.";
 }
 
 /// Changes the file as it is on disk by the difference between two objects, or writes `after` if
@@ -171,19 +164,10 @@ KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
     return map;
 }
 
+/// Valid in any folder.
 std::string absolutePath(const std::string& path) {
     std::error_code error;
     return fs::absolute(path, error).lexically_normal().string();
-}
-
-/// Absolute path, valid in any folder; empty if there is none.
-std::string fromAnywhere(const std::string& source) {
-    if (!isSample(source)) return absolutePath(source);
-    Result<SampleSpec> spec = sampleFromSource(source);
-    if (!spec) return {};
-    if (isVolumePath(spec.value().surface))
-        spec.value().surface = absolutePath(spec.value().surface);
-    return sampleSource(spec.value());
 }
 
 PanelSizes panelSizesIn(const json& object) {
@@ -277,23 +261,20 @@ json toJson(const KeptState& state) {
     return object;
 }
 
-/// The folder named by the variable, or `below` the home folder. Empty if there is no home.
-fs::path xdgFolder(const char* variable, const char* below) {
+/// The file in the folder named by the variable, or `below` the home folder. Empty if there is no
+/// home.
+fs::path xdgFile(const char* variable, const char* below, const char* file) {
     // The XDG standard: relative paths are ignored.
-    if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
-        return folder;
-    }
+    const auto named = [](const char* folder) { return folder != nullptr && folder[0] == '/'; };
+    const char* folder = std::getenv(variable);
     const char* home = std::getenv("HOME");
-    if (home == nullptr || home[0] != '/') return {};
-    return fs::path(home) / below;
+    if (!named(folder) && !named(home)) return {};
+    return (named(folder) ? fs::path(folder) : fs::path(home) / below) / "spiraling-edge" / file;
 }
 
 }  // namespace
 
-fs::path settingsPath() {
-    const fs::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
-    return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
-}
+fs::path settingsPath() { return xdgFile("XDG_CONFIG_HOME", ".config", "settings.json"); }
 
 Result<ViewSettings> settingsFromJson(std::string_view text) {
     const Result<json> object = teach::jsonFromText<json>(text, "The settings");
@@ -321,9 +302,8 @@ Status writeSettings(const fs::path& path, const ViewSettings& before,
 }
 
 void remember(KeptState& state, const std::string& path) {
-    if (path.empty() || isScene(path)) return;
-    const std::string whole = fromAnywhere(path);
-    if (whole.empty()) return;
+    if (path.empty() || isScene(path) || (isSample(path) && !sampleFromSource(path))) return;
+    const std::string whole = movedSource(path, absolutePath);
     std::vector<std::string>& list = state.recent;
     std::erase(list, whole);
     list.insert(list.begin(), whole);
@@ -340,10 +320,7 @@ std::string recentName(const std::string& path) {
     return name;
 }
 
-fs::path statePath() {
-    const fs::path folder = xdgFolder("XDG_STATE_HOME", ".local/state");
-    return folder.empty() ? folder : folder / "spiraling-edge" / "state.json";
-}
+fs::path statePath() { return xdgFile("XDG_STATE_HOME", ".local/state", "state.json"); }
 
 KeptState keptStateFromJson(std::string_view text) {
     const Result<json> object = teach::jsonFromText<json>(text, "The state");

@@ -91,36 +91,24 @@ std::string noOfferText(const Event& event) {
         const std::string reason = reasonAgainst(*verdict, se::testedPoint(event));
         if (!reason.empty()) return "This cannot be overridden. " + reason;
     }
-    switch (event.address.stage) {
-        case Stage::Pivot:
-        case Stage::Advance:
-            return "Select a point of a ring to continue at another one; the tests of this "
-                   "pivot come next.";
-        case Stage::Insert:
-        case Stage::Skip:
-            return "Boundary points follow the walls of section 7: turn walls, thirdpoint or "
-                   "corners off in Rules, or move the point.";
-        case Stage::Fill:
-        case Stage::DropPatch:
-        case Stage::Reinsert:
-        case Stage::CloseHole:
-        case Stage::Flip:
-        case Stage::Remesh:
-            return "Not decided by a test: turn " + std::string(stageName(event.address.stage)) +
-                   " off in Rules.";
-        case Stage::Seed:
-        case Stage::Strand:
-        case Stage::Emit:
-        case Stage::Ring:
-        case Stage::Split:
-        case Stage::Join:
-        case Stage::Done:
-        case Stage::Finished:
-            return "No choice was made here: it follows from the tests before it. Override one of "
-                   "those.";
-        default:
-            return "No test here can be overridden.";
-    }
+    const Stage stage = event.address.stage;
+    const auto isOneOf = [stage](std::initializer_list<Stage> stages) {
+        return std::find(stages.begin(), stages.end(), stage) != stages.end();
+    };
+    if (isOneOf({Stage::Pivot, Stage::Advance}))
+        return "Select a point of a ring to continue at another one; the tests of this pivot come "
+               "next.";
+    if (isOneOf({Stage::Insert, Stage::Skip}))
+        return "Boundary points follow the walls of section 7: turn walls, thirdpoint or corners "
+               "off in Rules, or move the point.";
+    if (isOneOf({Stage::Fill, Stage::DropPatch, Stage::Reinsert, Stage::CloseHole, Stage::Flip,
+                 Stage::Remesh}))
+        return "Not decided by a test: turn " + std::string(stageName(stage)) + " off in Rules.";
+    if (isOneOf({Stage::Seed, Stage::Strand, Stage::Emit, Stage::Ring, Stage::Split, Stage::Join,
+                 Stage::Done, Stage::Finished}))
+        return "No choice was made here: it follows from the tests before it. Override one of "
+               "those.";
+    return "No test here can be overridden.";
 }
 
 std::vector<WhatIfOffer> offersAbout(const Session& session, Index point) {

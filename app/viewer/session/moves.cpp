@@ -443,28 +443,16 @@ void Moves::processMoves() {
 }
 
 void Moves::perform(Move move) {
-    switch (move.kind) {
-        case Move::Kind::Events:
-            performEvents(move.delta);
-            break;
-        case Move::Kind::Pivots:
-            performPivots(move.delta);
-            break;
-        case Move::Kind::Finish:
-            if (session_.cursor() + 1 < record().events.size()) {
-                session_.setCursor(record().events.size() - 1);
-            } else if (!session_.atLastPivot()) {
-                request(record().pivot + 1, Landing::Last);
-            }
-            break;
-        case Move::Kind::Point:
-            performPoint(move.point);
-            break;
-        case Move::Kind::Go: {
-            const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
-            request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
-            break;
-        }
+    if (move.kind == Move::Kind::Events) return performEvents(move.delta);
+    if (move.kind == Move::Kind::Pivots) return performPivots(move.delta);
+    if (move.kind == Move::Kind::Point) return performPoint(move.point);
+    if (move.kind == Move::Kind::Go) {
+        const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
+        request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
+    } else if (session_.cursor() + 1 < record().events.size()) {
+        session_.setCursor(record().events.size() - 1);
+    } else if (!session_.atLastPivot()) {
+        request(record().pivot + 1, Landing::Last);
     }
 }
 

@@ -34,32 +34,32 @@ void PlayLoop::setTo(const Address& address) {
 }
 
 void Playback::setRate(double rate) {
-    rate_ = std::clamp(rate, kSlowest, kFastest);
-    unlimited_ = false;
+    speed_.rate = std::clamp(rate, kSlowest, kFastest);
+    speed_.unlimited = false;
 }
 
 void Playback::faster() {
-    const auto next = std::upper_bound(kNotches.begin(), kNotches.end(), rate_);
+    const auto next = std::upper_bound(kNotches.begin(), kNotches.end(), speed_.rate);
     if (next == kNotches.end()) {
-        unlimited_ = true;
+        speed_.unlimited = true;
     } else {
         setRate(*next);
     }
 }
 
 void Playback::slower() {
-    if (unlimited_) {
+    if (speed_.unlimited) {
         setRate(kFastest);
         return;
     }
-    const auto at = std::lower_bound(kNotches.begin(), kNotches.end(), rate_);
+    const auto at = std::lower_bound(kNotches.begin(), kNotches.end(), speed_.rate);
     setRate(at == kNotches.begin() ? kSlowest : *std::prev(at));
 }
 
 int Playback::due(double seconds) {
     if (!playing_) return 0;
-    if (unlimited_) return 1;
-    owed_ += seconds * rate_;
+    if (speed_.unlimited) return 1;
+    owed_ += seconds * speed_.rate;
     const int steps = std::min(static_cast<int>(std::floor(owed_)), kMaxAtOnce);
     owed_ = std::min(owed_ - steps, 1.0);
     return steps;

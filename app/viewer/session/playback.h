@@ -62,22 +62,18 @@ class Playback {
     }
     void toggle() { playing_ ? pause() : play(); }
 
-    PlayUnit unit() const { return unit_; }
-    void setUnit(PlayUnit unit) { unit_ = unit; }
+    PlayUnit unit() const { return speed_.unit; }
+    void setUnit(PlayUnit unit) { speed_.unit = unit; }
     /// Steps per second.
-    double rate() const { return rate_; }
+    double rate() const { return speed_.rate; }
     void setRate(double rate);
     /// One notch up or down on a scale of 0.5, 1, 2, 4, ... 60; above it, as fast as drawn.
     void faster();
     void slower();
     /// One step every frame, however long a frame takes.
-    bool unlimited() const { return unlimited_; }
-    PlaySpeed speed() const { return {unit_, rate_, unlimited_}; }
-    void setSpeed(const PlaySpeed& speed) {
-        unit_ = speed.unit;
-        rate_ = speed.rate;
-        unlimited_ = speed.unlimited;
-    }
+    bool unlimited() const { return speed_.unlimited; }
+    const PlaySpeed& speed() const { return speed_; }
+    void setSpeed(const PlaySpeed& speed) { speed_ = speed; }
 
     /// Steps due after `seconds` more have passed; 0 while paused. Never more than 8, so that a
     /// long frame does not lead to a longer one.
@@ -88,9 +84,7 @@ class Playback {
 
   private:
     bool playing_ = false;
-    bool unlimited_ = false;
-    PlayUnit unit_ = PlayUnit::Pivot;
-    double rate_ = 4.0;
+    PlaySpeed speed_;
     double owed_ = 0.0;
 };
 

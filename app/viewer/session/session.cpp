@@ -197,12 +197,6 @@ std::string Messages::notice(Clock::time_point now) const {
     return now - saidAt_ < kNoticeTime + more * kSignTime ? message_ : std::string{};
 }
 
-void Highlights::hover(Index point) {
-    if (point == hovered_) return;
-    hovered_ = point;
-    ++revision_;
-}
-
 void Highlights::mark(std::vector<Index> points, std::vector<EvidenceLine> lines) {
     if (marked_ == points && lines_ == lines) return;
     marked_ = std::move(points);
@@ -210,20 +204,8 @@ void Highlights::mark(std::vector<Index> points, std::vector<EvidenceLine> lines
     ++revision_;
 }
 
-void Highlights::label(std::vector<Index> points) {
-    if (labeled_ == points) return;
-    labeled_ = std::move(points);
-    ++revision_;
-}
-
 void Highlights::chooseRing(Index ring) {
     chosenRing_ = chosenRing_ == ring ? kNone : ring;
-    ++revision_;
-}
-
-void Highlights::hoverRing(Index ring) {
-    if (ring == hoveredRing_) return;
-    hoveredRing_ = ring;
     ++revision_;
 }
 

@@ -146,7 +146,7 @@ class Highlights {
   public:
     /// The point under the pointer, in the view or on the dial; highlighted in both.
     Index hovered() const { return hovered_; }
-    void hover(Index point);
+    void hover(Index point) { change(hovered_, point); }
     /// Points that are highlighted, such as those of a finding; none by default.
     std::span<const Index> marked() const { return marked_; }
     void mark(std::vector<Index> points, std::vector<EvidenceLine> lines = {});
@@ -155,12 +155,12 @@ class Highlights {
     bool any() const { return !marked_.empty() || !lines_.empty(); }
     /// Points that show their names, such as the possible answers to a question; none by default.
     std::span<const Index> labeled() const { return labeled_; }
-    void label(std::vector<Index> points);
+    void label(std::vector<Index> points) { change(labeled_, std::move(points)); }
     Index chosenRing() const { return chosenRing_; }
     /// Chooses a ring; none if it was chosen already.
     void chooseRing(Index ring);
     /// Sets the ring under the pointer, which is highlighted.
-    void hoverRing(Index ring);
+    void hoverRing(Index ring) { change(hoveredRing_, ring); }
     /// The ring to highlight: the one under the pointer, otherwise the chosen one.
     Index litRing() const { return hoveredRing_ != kNone ? hoveredRing_ : chosenRing_; }
     void clearRings() { chosenRing_ = hoveredRing_ = kNone; }
@@ -168,6 +168,12 @@ class Highlights {
     std::uint32_t revision() const { return revision_; }
 
   private:
+    template <typename Value>
+    void change(Value& held, Value value) {
+        if (held != value) ++revision_;
+        held = std::move(value);
+    }
+
     Index hovered_ = kNone;
     Index chosenRing_ = kNone;
     Index hoveredRing_ = kNone;

@@ -12,6 +12,7 @@
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/spec/spec_fields.h"
 #include "teach/json_text.h"
@@ -55,26 +56,18 @@ const Bookmark* nextBookmark(const Bookmarks& bookmarks, const Address& address,
 }
 
 void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark) {
-    if (const auto at = bookmarkAt(bookmarks, bookmark.address)) {
-        bookmarks[*at] = std::move(bookmark);
-    } else {
-        const auto place = placeOf(bookmarks, bookmark.address);
-        bookmarks.insert(place, std::move(bookmark));
-    }
+    auto place = placeOf(bookmarks, bookmark.address);
+    if (bookmarkAt(bookmarks, bookmark.address)) place = bookmarks.erase(place);
+    bookmarks.insert(place, std::move(bookmark));
 }
 
 std::string differenceOf(const Annotations& a, const Annotations& b) {
-    std::vector<const char*> kinds;
+    std::vector<std::string> kinds;
     if (a.bookmarks != b.bookmarks) kinds.push_back("bookmarks");
     if (a.notes != b.notes) kinds.push_back("notes");
     if (a.breakpoints != b.breakpoints) kinds.push_back("breakpoints");
     if (a.watches != b.watches) kinds.push_back("watches");
-    std::string words;
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        if (i > 0) words += i + 1 == kinds.size() ? " and " : ", ";
-        words += kinds[i];
-    }
-    return words;
+    return wordList(kinds, "and");
 }
 
 namespace {
@@ -196,10 +189,7 @@ Complaint readSelection(const json& object, SessionFile& out) {
                       std::all_of(list.begin(), list.end(), isPoint) &&
                       std::set<json>(list.begin(), list.end()).size() == list.size();
     if (!good) return expected("selected", "the index of a point, or a list of two or three");
-    const auto at = [&list](std::size_t i) { return list[i].get<Index>(); };
-    if (list.size() == 1) out.selected = Selection::ofPoint(at(0));
-    if (list.size() == 2) out.selected = Selection::ofEdge(at(0), at(1));
-    if (list.size() == 3) out.selected = Selection::ofTriangle({at(0), at(1), at(2)});
+    out.selected = Selection::of(list.get<std::vector<Index>>());
     return std::nullopt;
 }
 
