@@ -21,7 +21,6 @@
 #include "panels/ui.h"
 #include "render/relief.h"
 #include "spiraling_edge/run/event_text.h"
-#include "teach/lesson_text.h"
 
 namespace se::view {
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 
 #include "application.h"
 #include "document/app_page.h"

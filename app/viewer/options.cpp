@@ -15,7 +15,6 @@
 #include "lesson/lesson_player.h"
 #include "options/option_list.h"
 #include "options/spec_options.h"
-#include "run/packed_file.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"

@@ -1,7 +1,6 @@
 #include "compared_runs.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "document/document.h"
 #include "jobs/questions.h"

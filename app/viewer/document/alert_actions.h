@@ -7,7 +7,6 @@
 
 #include "context.h"
 #include "document.h"
-#include "panel_state/side_panels.h"
 #include "session/session.h"
 #include "spiraling_edge/base/result.h"
 

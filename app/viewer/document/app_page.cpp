@@ -7,7 +7,6 @@
 #include "jobs/open_lesson.h"
 #include "link.h"
 #include "paint/svg_text.h"
-#include "run/packed_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "teach/lesson_read.h"

@@ -9,7 +9,6 @@
 
 #include "actions.h"
 #include "compare/compared_runs.h"
-#include "edit_history.h"
 #include "lesson/lesson_player.h"
 #include "new_points.h"
 #include "run/model.h"

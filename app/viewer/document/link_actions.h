@@ -7,7 +7,6 @@
 
 #include "context.h"
 #include "spiraling_edge/base/result.h"
-#include "start_options.h"
 
 namespace se::view {
 

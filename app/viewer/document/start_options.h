@@ -14,7 +14,6 @@
 #include "scene/palette.h"
 #include "session/layout_preset.h"
 #include "session/session_file.h"
-#include "session/view_position.h"
 
 namespace se::view {
 

@@ -5,11 +5,9 @@
 #include <cstring>
 #include <utility>
 
-#include "formats.h"
 #include "paint/dial_painter.h"
 #include "paint/labels.h"
 #include "run/strings.h"
-#include "scene/camera.h"
 #include "spiraling_edge/base/atomic_file.h"
 
 namespace se::view {

@@ -1,20 +1,15 @@
 /// A frame as elements of SVG.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "formats.h"
 #include "paint/screen_space.h"
 #include "paint/svg_text.h"
-#include "scene/camera.h"
 
 namespace se::view {
 

@@ -9,7 +9,6 @@
 
 #include "run/model.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/prepare/prepare.h"
 #include "teach/lesson.h"
 #include "teach/lesson_runs.h"
 

@@ -7,7 +7,6 @@
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/outside_text.h"
-#include "spiraling_edge/run/event_text.h"
 #include "thread.h"
 
 namespace se::view {

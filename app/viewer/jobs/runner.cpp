@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 
 #include "spiraling_edge/run/reading.h"
 

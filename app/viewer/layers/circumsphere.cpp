@@ -10,7 +10,6 @@
 #include <string>
 
 #include "run/strings.h"
-#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 

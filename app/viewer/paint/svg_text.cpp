@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "dial_painter.h"

@@ -8,7 +8,6 @@
 #include "session/playback.h"
 #include "session/session_file.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/sampling/volume.h"
 #include "teach/json_text.h"
 
 namespace se::view {

@@ -5,7 +5,6 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <glm/common.hpp>
 
 #include "gl_objects.h"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "gl_dialect.h"
-#include "scene/camera.h"
 
 namespace se::view {
 

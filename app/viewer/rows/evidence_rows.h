@@ -11,7 +11,6 @@
 #include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/pivot_replay.h"
-#include "spiraling_edge/why/ledger.h"
 
 namespace se::view {
 

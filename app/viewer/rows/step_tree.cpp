@@ -4,7 +4,6 @@
 // matching pivots, which grows with the overview.
 #include "step_tree.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cctype>
 #include <sstream>

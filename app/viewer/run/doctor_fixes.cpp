@@ -1,5 +1,4 @@
 #include "doctor_fixes.h"
-#include "strings.h"
 
 #include <algorithm>
 #include <cassert>

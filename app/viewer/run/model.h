@@ -16,7 +16,6 @@
 #include "doctor_fixes.h"
 #include "packed_file.h"
 #include "sample_spec.h"
-#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/points/index_ranges.h"
 #include "spiraling_edge/points/point_name.h"
@@ -28,7 +27,6 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/rule_settings.h"
 #include "teach/practice.h"
 
 namespace se::view {

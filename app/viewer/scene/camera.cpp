@@ -1,6 +1,5 @@
 #include "camera.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

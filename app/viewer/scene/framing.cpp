@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "picking.h"
-#include "run/model.h"
 #include "spiraling_edge/prepare/normals.h"
 
 namespace se::view {

@@ -13,7 +13,6 @@
 #include "mesh_index.h"
 #include "run/model.h"
 #include "run/selection.h"
-#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -1,7 +1,6 @@
 #include "screen_rect.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 

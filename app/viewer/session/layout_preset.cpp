@@ -1,6 +1,5 @@
 #include "layout_preset.h"
 
-#include <algorithm>
 #include <array>
 
 #include "teach/find_named.h"

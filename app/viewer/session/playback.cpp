@@ -1,7 +1,6 @@
 #include "playback.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "run/strings.h"

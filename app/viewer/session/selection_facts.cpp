@@ -4,7 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "run/selection.h"
 #include "session.h"
 
 namespace se::view {

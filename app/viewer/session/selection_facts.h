@@ -8,7 +8,6 @@
 
 #include "run/overview.h"
 #include "run/selection.h"
-#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

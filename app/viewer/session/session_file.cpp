@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "run/packed_file.h"
-#include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/word_list.h"

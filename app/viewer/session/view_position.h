@@ -10,7 +10,6 @@
 #include "scene/camera.h"
 #include "session.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/why/ledger.h"
 
 namespace se::view {
 
