@@ -370,10 +370,7 @@ void drawSide(const PanelContext& context, const char* name, const DifferenceSid
 /// A sentence of a trace's difference; with an address also the way there.
 void drawTraceReason(const PanelContext& context, const teach::TraceReason& reason,
                      std::size_t number) {
-    std::string label;
-    for (const std::string& line :
-         wrapped(teach::reasonText(reason), ImGui::GetContentRegionAvail().x))
-        label += (label.empty() ? "" : "\n") + line;
+    const std::string label = withBreaks(teach::reasonText(reason));
     if (!reason.address) return ImGui::TextUnformatted(label.c_str());
     ImGui::PushID(static_cast<int>(number));
     if (selectable(context, label, false, "trace reason " + std::to_string(number + 1),

@@ -148,10 +148,8 @@ void drawWhatIfBanner(const PanelContext& context) {
     if (!session.ready() || context.rects.layoutPreset == LayoutPreset::Present) return;
     const std::size_t count = session.input().spec().whatIf.size();
     if (count == 0) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * context.em, 0.3F * context.em});
-    ImGui::PushStyleColor(ImGuiCol_Border, toVec4(context.palette.test));
-    if (beginOverView(context, "##whatif", 0.6F, std::nullopt)) {
+    if (beginOverView(context, "##whatif", 0.6F, std::nullopt, &Palette::test)) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(("What if: " + counted(count, "change", "changes")).c_str());
         ImGui::SameLine();
@@ -159,8 +157,7 @@ void drawWhatIfBanner(const PanelContext& context) {
             context.run("edit.whatif.clear");
     }
     ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
 }
 
 }  // namespace se::view

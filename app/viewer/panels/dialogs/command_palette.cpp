@@ -19,7 +19,7 @@ bool moveChoice(CommandPalette& palette, std::size_t matches) {
     if (pressed(ImGuiKey_DownArrow)) ++palette.chosen;
     if (pressed(ImGuiKey_UpArrow)) --palette.chosen;
     palette.chosen = std::clamp(palette.chosen, 0, std::max(0, last));
-    return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
+    return enterPressed();
 }
 
 /// One row: title, group, keys. True if it was clicked.
@@ -31,9 +31,7 @@ bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chos
     const bool action = entry.kind == PaletteEntry::Kind::Action;
     const std::string keys = action ? context.key(entry.id) : std::string{};
     const std::string note = std::string(entry.note) + (keys.empty() ? "" : "   " + keys);
-    const float width = ImGui::CalcTextSize(note.c_str()).x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width - 0.3F * context.em);
-    ImGui::TextDisabled("%s", note.c_str());
+    dimAtRight(note, 0.3F * context.em);
     if (chosen) ImGui::SetScrollHereY(0.5F);
     return clicked;
 }

@@ -38,9 +38,7 @@ class PageDrawing {
             end();
             code_ = !code_;
         } else if (code_) {
-            ImGui::PushFont(context_.fonts.mono);
-            wrappedText(std::string(line));
-            ImGui::PopFont();
+            wrappedIn(context_.fonts.mono, std::string(line));
         } else if (line.starts_with("#")) {
             end();
             ImGui::Spacing();
@@ -131,9 +129,7 @@ bool changes(const PanelContext& context) { return context.ui().help == HelpPage
 void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushFont(context.fonts.mono);
-    wrappedText(keys);
-    ImGui::PopFont();
+    wrappedIn(context.fonts.mono, keys);
     ImGui::TableNextColumn();
     wrappedText(what);
 }
@@ -162,12 +158,8 @@ void changeableRow(const PanelContext& context, const Command& command) {
     ImGui::PopID();
 }
 
-bool beginKeys(const char* id, const PanelContext& context) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return false;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 8.5F * context.em);
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    return true;
-}
+/// Width of the keys, in em.
+constexpr float kKeysWidth = 8.5F;
 
 /// The ten keys of bookmarks are one row, unless one of them was changed.
 bool bookmarksAreOneRow(const KeyMap& keys) {
@@ -189,7 +181,7 @@ void drawKeysOf(const PanelContext& context, const Command& command, bool oneRow
 
 void drawGroup(const PanelContext& context, std::string_view group) {
     heading(context, std::string(group).c_str());
-    if (!beginKeys(std::string(group).c_str(), context)) return;
+    if (!beginValues(std::string(group).c_str(), context, kKeysWidth)) return;
     const bool oneRow = bookmarksAreOneRow(context.settings().keys);
     for (const Command& command : commands())
         if (command.group == group) drawKeysOf(context, command, oneRow);
@@ -199,7 +191,7 @@ void drawGroup(const PanelContext& context, std::string_view group) {
 
 void drawMouseGroup(const PanelContext& context) {
     heading(context, "Mouse");
-    if (!beginKeys("mouse", context)) return;
+    if (!beginValues("mouse", context, kKeysWidth)) return;
     for (const MouseLine& line : kMouse) keyRow(context, line.action, line.what);
     ImGui::EndTable();
 }

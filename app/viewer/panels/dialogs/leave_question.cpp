@@ -33,12 +33,8 @@ constexpr Choice kChoices[] = {
 
 /// Beside each other, or below each other where that does not fit. Returns the one that was chosen.
 std::optional<LeaveAnswer> drawChoices(const PanelContext& context, LeaveQuestion& question) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float width = 0.0F;
-    for (const Choice& each : kChoices) {
-        width += ImGui::CalcTextSize(each.label).x + 2.0F * style.FramePadding.x;
-    }
-    const bool row = width + 2.0F * style.ItemSpacing.x <= ImGui::GetContentRegionAvail().x;
+    const bool row = buttonsWidth({kChoices[0].label, kChoices[1].label, kChoices[2].label}) <=
+                     ImGui::GetContentRegionAvail().x;
     std::optional<LeaveAnswer> answer;
     for (const Choice& each : kChoices) {
         if (row && each.answer != LeaveAnswer::Save) ImGui::SameLine();
@@ -47,10 +43,7 @@ std::optional<LeaveAnswer> drawChoices(const PanelContext& context, LeaveQuestio
         if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
             takeKeyboard();
         }
-        // Space is Dear ImGui's own key for a button.
-        const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
-                           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));
-        if (ImGui::IsItemFocused() && enter) answer = each.answer;
+        if (ImGui::IsItemFocused() && enterPressed()) answer = each.answer;
     }
     return answer;
 }

@@ -76,16 +76,6 @@ std::vector<AlertRow> rowsOf(const PanelContext& context) {
     return rows;
 }
 
-/// Arrow that points down if unfolded, otherwise to the right.
-void drawArrow(const PanelContext& context, ImVec2 at, bool open) {
-    const float r = 0.3F * context.em;
-    const ImVec2 c(at.x + 0.5F * context.em, at.y + 0.5F * ImGui::GetTextLineHeight());
-    const ImVec2 right[3] = {{c.x - 0.7F * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.7F * r, c.y + r}};
-    const ImVec2 down[3] = {{c.x - r, c.y - 0.7F * r}, {c.x + r, c.y - 0.7F * r}, {c.x, c.y + r}};
-    const ImVec2* p = open ? down : right;
-    ImGui::GetWindowDrawList()->AddTriangleFilled(p[0], p[1], p[2], toU32(context.palette.textDim));
-}
-
 /// "12", "first 430 of at least 1 204 331".
 std::string amountOf(const AlertGroup& group) {
     const ClassTotal& total = group.total;
@@ -102,7 +92,8 @@ bool drawHead(const PanelContext& context, const std::string& name, const std::s
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetCursorPosX();
     const bool clicked = selectable(context, "##head", chosen, "alerts " + name, help);
-    drawArrow(context, at, open);
+    drawFoldArrow({at.x + 0.5F * context.em, at.y + 0.5F * ImGui::GetTextLineHeight()},
+                  0.3F * context.em, open, context.palette.textDim);
     ImGui::SameLine(left + 1.3F * context.em);
     const float room =
         ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - textWidth(note) - context.em;

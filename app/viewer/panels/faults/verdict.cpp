@@ -24,13 +24,6 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
-void numberCell(const std::string& text) {
-    ImGui::TableNextColumn();
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room - textWidth(text)));
-    ImGui::TextUnformatted(text.c_str());
-}
-
 /// The counts of the open run, and of the best trial if there is one: a row for each that is not 0,
 /// and distances in spacings.
 void drawNumbers(const PanelContext& context, const MeshVerdict& now, const MeshVerdict* then) {
@@ -142,11 +135,8 @@ void drawActions(const PanelContext& context, const RunAlerts& alerts) {
     const bool fixes = canFix(context.commands) && !context.state<VerdictPart>().fixing;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     if (fixes) {
-        ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        const bool clicked =
-            textButton(context, "Fix", "verdict fix", fixText(context.session().trials()), half);
-        ImGui::PopStyleColor(2);
+        const bool clicked = accentButton(context, true, "Fix", "verdict fix",
+                                          fixText(context.session().trials()), half);
         context.state<VerdictPart>().pointedAt |=
             ImGui::IsItemHovered() && context.session().trials().ended();
         if (clicked) fixByTrials(context.commands);
@@ -183,10 +173,7 @@ std::string inputText(const Model& model, const DoctorJob& doctor) {
 /// A line that leads to the panel with all of that.
 void drawInputLine(const PanelContext& context) {
     const Session& session = context.session();
-    std::string lines;
-    for (const std::string& line :
-         wrapped(inputText(session.model(), session.doctorJob()), ImGui::GetContentRegionAvail().x))
-        lines += (lines.empty() ? "" : "\n") + line;
+    const std::string lines = withBreaks(inputText(session.model(), session.doctorJob()));
     if (lines.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
     if (selectable(context, lines, false, "verdict input", "About the input, in the panel Doctor"))

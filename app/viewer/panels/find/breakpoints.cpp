@@ -166,17 +166,9 @@ void drawTitle(const PanelContext& context) {
     if (count > 0) dimAtRight(std::to_string(count));
 }
 
-/// Whether the buttons fit side by side, all with words.
-bool buttonsFit() {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float width = 3.0F * style.ItemSpacing.x;
-    for (const char* each : {"Add...", "Here", "< Back", "Next >"})
-        width += ImGui::CalcTextSize(each).x + 2.0F * style.FramePadding.x;
-    return width <= ImGui::GetContentRegionAvail().x;
-}
-
 void drawButtons(const PanelContext& context) {
-    const bool words = buttonsFit();
+    const bool words =
+        buttonsWidth({"Add...", "Here", "< Back", "Next >"}) <= ImGui::GetContentRegionAvail().x;
     if (textButton(context, "Add...", "add breakpoint")) ImGui::OpenPopup("##presets");
     drawPresets(context);
     ImGui::SameLine();

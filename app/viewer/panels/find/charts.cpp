@@ -69,7 +69,7 @@ void drawInput(const PanelContext& context) {
         if (aside > 0) warn(context, std::string(each.name).c_str(), aside);
     }
     if (report.droppedListEntries > 0) count(context, "list cleaned", report.droppedListEntries);
-    endValues();
+    ImGui::EndTable();
 }
 
 void drawCounters(const PanelContext& context) {
@@ -100,7 +100,7 @@ void drawCounters(const PanelContext& context) {
         warn(context, "stranded", c.stranded);
         warn(context, "holes", c.holes);
         warn(context, "lost seeds", c.lostSeeds);
-        endValues();
+        ImGui::EndTable();
     }
     drawInput(context);
 }

@@ -65,11 +65,7 @@ constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused s
 void drawChoice(const PanelContext& context) {
     QueryPanel& panel = context.state<QueryPanel>();
     const auto choice = [&](const char* title, const char* name, QueryList list) {
-        const bool on = panel.shown == list;
-        if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
-        if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        if (textButton(context, title, name)) panel.shown = list;
-        if (on) ImGui::PopStyleColor(2);
+        if (accentButton(context, panel.shown == list, title, name)) panel.shown = list;
     };
     choice("By terms", "query words", QueryList::Found);
     ImGui::SameLine();
@@ -114,10 +110,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
     if (ImGui::IsItemVisible()) nameItem(context, "term " + form);
     if (!wide) return tooltip(meaning);
     ImGui::TableNextColumn();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
-    for (const std::string& line : wrapped(meaning, ImGui::GetContentRegionAvail().x))
-        ImGui::TextDisabled("%s", line.c_str());
-    ImGui::PopStyleVar();
+    dimText(meaning);
 }
 
 /// Completions of the last word; a click inserts one.

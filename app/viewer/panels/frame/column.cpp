@@ -147,24 +147,16 @@ bool drawTitle(const PanelContext& context, const Shown& part, bool alone) {
     }
     const bool hovered = ImGui::IsItemHovered() && !alone;
     nameItem(context, "part " + title);
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const Palette& colors = context.palette;
-    const ImU32 ink = toU32(open || hovered ? colors.text : colors.textDim);
+    const Color& ink = open || hovered ? colors.text : colors.textDim;
     float x = at.x;
     if (!alone) {
-        const float y = at.y + 0.5F * height;
         const float r = 0.28F * em;
-        const ImVec2 c(at.x + r, y);
-        if (open) {
-            list->AddTriangleFilled({c.x - r, c.y - 0.5F * r}, {c.x + r, c.y - 0.5F * r},
-                                    {c.x, c.y + 0.8F * r}, ink);
-        } else {
-            list->AddTriangleFilled({c.x - 0.5F * r, c.y - r}, {c.x + 0.8F * r, c.y},
-                                    {c.x - 0.5F * r, c.y + r}, ink);
-        }
+        drawFoldArrow({at.x + r, at.y + 0.5F * height}, r, open, ink);
         x += em;
     }
-    list->AddText(context.fonts.strong, em, {x, at.y + 0.5F * (height - em)}, ink, title.c_str());
+    ImGui::GetWindowDrawList()->AddText(context.fonts.strong, em, {x, at.y + 0.5F * (height - em)},
+                                        toU32(ink), title.c_str());
     return open;
 }
 

@@ -12,13 +12,8 @@ namespace se::view {
 
 namespace {
 
-/// A plate in the middle of the view.
-bool beginNotice(const PanelContext& context, const char* name) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    const bool open = beginOverView(context, name, std::nullopt, 26.0F);
-    ImGui::PopStyleVar();
-    return open;
-}
+/// Width of a notice in the middle of the view, in em.
+constexpr float kNotice = 26.0F;
 
 /// By LoadPart.
 constexpr std::array kPartNames = {"reading the points", "spreading the points",
@@ -27,7 +22,7 @@ static_assert(kPartNames.size() == static_cast<std::size_t>(LoadPart::Beginning)
 
 void drawLoading(const PanelContext& context) {
     Session& session = context.session();
-    if (beginNotice(context, "##loading")) {
+    if (beginOverView(context, "##loading", std::nullopt, kNotice)) {
         const std::string& source = session.input().opening().source;
         heading(context, session.input().isRerunning() ? "Re-running" : "Opening",
                 fittedName(source, 16.0F * context.em));
@@ -40,7 +35,7 @@ void drawLoading(const PanelContext& context) {
 
 void drawError(const PanelContext& context) {
     Session& session = context.session();
-    if (beginNotice(context, "##error")) {
+    if (beginOverView(context, "##error", std::nullopt, kNotice)) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
         heading(context, "Could not open");
         ImGui::PopStyleColor();

@@ -36,10 +36,7 @@ void finishPiece(const PanelContext& context, PieceTool& tool) {
 /// The choice of a shape, as a button that stays pressed.
 void drawShapeChoice(const PanelContext& context, PieceTool& tool, PieceShape shape,
                      const char* label, const char* name, const char* tip) {
-    const bool on = tool.shape == shape;
-    if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.5F)));
-    if (textButton(context, label, name, tip)) tool.shape = shape;
-    if (on) ImGui::PopStyleColor();
+    if (accentButton(context, tool.shape == shape, label, name, tip)) tool.shape = shape;
     ImGui::SameLine();
 }
 
@@ -105,15 +102,11 @@ void drawPieceStrip(const PanelContext& context) {
     followRun(context.commands);
     PieceTool& tool = context.state<PieceTool>();
     if (!tool.on || context.ui().coversView()) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_Border, toVec4(context.palette.accent));
     // Below the banner of what-ifs.
     const bool banner = !context.session().input().spec().whatIf.empty();
-    if (beginOverView(context, "##piece", banner ? 3.2F : 0.6F, kStripWidth))
+    if (beginOverView(context, "##piece", banner ? 3.2F : 0.6F, kStripWidth, &Palette::accent))
         drawStripContent(context, tool);
     ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
 }
 
 // A point that is dragged in the view: in its tangent plane, with Shift along its normal. Its way

@@ -110,9 +110,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
         ImGui::SetClipboardText(command.c_str());
         context.session().messages().say("Copied the command.");
     }
-    ImGui::PushFont(context.fonts.mono);
-    wrappedText(command);
-    ImGui::PopFont();
+    wrappedIn(context.fonts.mono, command);
 }
 
 /// std::vector<std::string> that were applied to the input, and a button to undo them.

@@ -102,9 +102,7 @@ class BlockDrawing {
     }
 
     void drawCode(const TextBlock& block) {
-        ImGui::PushFont(context_.fonts.mono);
-        for (const TextSpan& span : block.spans) wrappedText(span.text, right_ - left_);
-        ImGui::PopFont();
+        for (const TextSpan& span : block.spans) wrappedIn(context_.fonts.mono, span.text);
         y_ = ImGui::GetCursorScreenPos().y - line_;
     }
 
@@ -243,9 +241,7 @@ void drawHead(const PanelContext& context, const LessonWalk& walk) {
              walk.lesson().title + ", " + minutesText(walk.lesson().minutes()));
     dimAtRight(place);
     drawStepBar(context, walk);
-    ImGui::PushFont(context.fonts.large);
-    wrappedText(walk.shownStep().title);
-    ImGui::PopFont();
+    wrappedIn(context.fonts.large, walk.shownStep().title);
     ImGui::Spacing();
 }
 
@@ -304,14 +300,11 @@ void drawFoot(const PanelContext& context, const LessonWalk& walk) {
             lesson.close();
     } else {
         const bool primary = !walk.asks();
-        if (primary) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
-        if (primary) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        if (textButton(context, primary ? "Next" : "Skip", "lesson next",
-                       (primary ? "The next step (" : "The next step, without an answer (") +
-                           context.key("lesson.next") + ")",
-                       half))
+        if (accentButton(context, primary, primary ? "Next" : "Skip", "lesson next",
+                         (primary ? "The next step (" : "The next step, without an answer (") +
+                             context.key("lesson.next") + ")",
+                         half))
             lesson.next();
-        if (primary) ImGui::PopStyleColor(2);
     }
 }
 
@@ -335,13 +328,10 @@ std::string taskOf(const LessonWalk& walk) {
 /// Of a pivot to play: the move that a click makes.
 void drawMoveChoice(const PanelContext& context, LessonWalk& walk) {
     for (const teach::MoveRow& row : teach::moveTable()) {
-        const bool on = walk.state().move == row.id;
-        if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
-        if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
         const std::string name(row.name);
-        if (smallButton(context, name, "move " + name, std::string(row.help)))
+        if (accentButton(context, walk.state().move == row.id, name, "move " + name,
+                         std::string(row.help)))
             walk.chooseMove(row.id);
-        if (on) ImGui::PopStyleColor(2);
         ImGui::SameLine();
         if (ImGui::GetContentRegionAvail().x < 4.0F * context.em) ImGui::NewLine();
     }
@@ -368,10 +358,7 @@ void drawOptions(const PanelContext& context, LessonWalk& walk) {
     const std::vector<std::string>& options = walk.question()->options;
     for (std::size_t i = 0; i < options.size(); ++i) {
         const std::string letter = teach::optionLetter(i);
-        std::string label;
-        for (const std::string& line :
-             wrapped(letter + "   " + options[i], ImGui::GetContentRegionAvail().x))
-            label += (label.empty() ? "" : "\n") + line;
+        const std::string label = withBreaks(letter + "   " + options[i]);
         if (selectable(context, label, walk.chosen() == i, "option " + letter)) walk.choose(i);
     }
 }

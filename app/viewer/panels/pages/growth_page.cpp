@@ -240,16 +240,10 @@ void drawProgress(const PanelContext& context, float width) {
 void drawEndings(const PanelContext& context) {
     const Growth& growth = context.commands.sampling.growth();
     ImGui::BeginDisabled(!growth.hasPoints());
-    ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
-                          toVec4(mix(context.palette.accent, context.palette.text, 0.15F)));
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-    const bool use = ImGui::Button("Use these points");
-    ImGui::PopStyleColor(3);
-    nameItem(context, "growth use",
-             growth.phase() == GrowthPhase::Done ? "Open a run on them"
-                                                 : "Open a run on them as they are now");
-    if (use) context.commands.sampling.use();
+    if (accentButton(context, true, "Use these points", "growth use",
+                     growth.phase() == GrowthPhase::Done ? "Open a run on them"
+                                                         : "Open a run on them as they are now"))
+        context.commands.sampling.use();
     ImGui::SameLine();
     const std::string command = sampleCommand(growth.spec());
     if (textButton(
@@ -263,19 +257,11 @@ void drawEndings(const PanelContext& context) {
         context.commands.sampling.leave();
 }
 
-float endingsWidth() {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float width = 2.0F * style.ItemSpacing.x;
-    for (const char* label : {"Use these points", "Save as PLY...", "Cancel"}) {
-        width += ImGui::CalcTextSize(label).x + 2.0F * style.FramePadding.x;
-    }
-    return width;
-}
-
 void drawBar(const PanelContext& context) {
     const float em = context.em;
     drawSteppers(context);
-    const float rest = ImGui::GetContentRegionAvail().x - endingsWidth() - em;
+    const float rest = ImGui::GetContentRegionAvail().x - em -
+                       buttonsWidth({"Use these points", "Save as PLY...", "Cancel"});
     const bool row = rest >= 9.0F * em;
     drawProgress(context, row ? rest : -1.0F);
     if (row) ImGui::SameLine(0.0F, em);

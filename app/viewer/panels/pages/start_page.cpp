@@ -357,9 +357,8 @@ void drawStartPage(const PanelContext& context) {
     const bool open = beginRegion("##start", area);
     ImGui::PopStyleVar();
     if (open) {
-        ImGui::PushFont(context.fonts.large);
-        wrappedText("Watch the Spiraling Edge triangulate points, decision by decision");
-        ImGui::PopFont();
+        wrappedIn(context.fonts.large,
+                  "Watch the Spiraling Edge triangulate points, decision by decision");
         ImGui::Spacing();
         context.rects.phone ? drawBelow(context)
                             : drawBesides(context, std::min(kSide * em, 0.4F * area.size.x));

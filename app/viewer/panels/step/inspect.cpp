@@ -1,8 +1,9 @@
 // The Inspect panel: the numbers of the decision, then the selection.
+#include <algorithm>
 #include <cmath>
 
 #include "panels/panel.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "rows/evidence_rows.h"
 #include "run/strings.h"
 #include "scene/palette.h"
@@ -14,14 +15,25 @@ namespace se::view {
 
 namespace {
 
-/// The value against its threshold, in the column of values.
+/// A bar with the value and its threshold, in the column of values.
 void drawGauge(const PanelContext& context, const EvidenceGauge& bar, const Color& color) {
     if (!std::isfinite(bar.value) || !(bar.largest > 0.0)) return;
     ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TableNextColumn();
-    ImGui::Dummy({0.0F, 0.1F * context.em});
-    gauge(context, bar.value, bar.threshold, bar.largest, color);
+    ImGui::TableSetColumnIndex(1);
+    const float em = context.em;
+    ImGui::Dummy({0.0F, 0.1F * em});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const glm::vec2 size(ImGui::GetContentRegionAvail().x, 0.5F * em);
+    const auto x = [&](double value) {
+        return at.x + size.x * static_cast<float>(std::clamp(value / bar.largest, 0.0, 1.0));
+    };
+    ScreenPainter p(context);
+    p.box({{at.x, at.y}, size}, p.ink(&Palette::panelRaised), 0.12F * em);
+    p.box({at.x, at.y}, {x(bar.value), at.y + size.y}, Ink(color), 0.12F * em);
+    const float mark = std::round(x(bar.threshold));
+    p.line({mark, at.y - 0.15F * em}, {mark, at.y + size.y + 0.15F * em},
+           p.ink(&Palette::text).line(p.px(0.12F)));
+    ImGui::Dummy({size.x, size.y + 0.2F * em});
 }
 
 std::string typeText(std::uint8_t type) {
@@ -60,7 +72,7 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
         // The star is at derived values.
         if (lists || types || normals)
             valueRow(context, "*", "derived, not from the input", context.palette.textDim);
-        endValues();
+        ImGui::EndTable();
     }
     ImGui::PopID();
 }
@@ -96,7 +108,7 @@ void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
         valueRow(context, "triangles",
                  std::to_string(facts.trianglesPresent) + (list.empty() ? "" : ": " + list));
         valueRow(context, "ring", facts.ring.empty() ? "on none" : facts.ring);
-        endValues();
+        ImGui::EndTable();
     }
     drawBirth(context, facts, "edge");
 }
@@ -114,7 +126,7 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
         valueRow(context, "corners", points);
         valueRow(context, "angles", angles);
         valueRow(context, "area", numberText(facts.area));
-        endValues();
+        ImGui::EndTable();
     }
     drawBirth(context, facts, "triangle");
 }
@@ -162,7 +174,7 @@ void drawEvidence(const PanelContext& context, const Event& event) {
         valueRow(context, row.name.c_str(), row.value);
         if (row.gauge) drawGauge(context, *row.gauge, outcome.value_or(context.palette.accent));
     }
-    endValues();
+    ImGui::EndTable();
 }
 
 void drawInspect(const PanelContext& context) {

@@ -61,7 +61,7 @@ void drawGallery(const PanelContext& context) {
         valueRow(context, "decision", std::string(each->address));
         valueRow(context, "paper", std::string(each->section) + ": " + std::string(each->sentence));
         valueRow(context, "what helps", std::string(each->helps));
-        endValues();
+        ImGui::EndTable();
     }
     if (smallButton(context, "Go to " + std::string(each->address), "gallery decision")) {
         context.playback().pause();

@@ -40,13 +40,8 @@ class RowPen {
 
     void indent(float em) { x_ += em * context_.em; }
     void arrow(bool open) {
-        const float r = 0.27F * em();
-        // From the middle to the tip, and to a corner of the other side.
-        const glm::vec2 way = open ? glm::vec2(0.0F, r) : glm::vec2(r, 0.0F);
-        const glm::vec2 across(-way.y, way.x);
-        const glm::vec2 c(x_ + 0.4F * em(), middle());
-        p_.polygon({c + 0.8F * way, c - 0.6F * way + across, c - 0.6F * way - across},
-                   ink(context_.palette.textDim));
+        drawFoldArrow({x_ + 0.4F * em(), middle()}, 0.27F * em(), open,
+                      ink(context_.palette.textDim).color);
     }
     void text(const std::string& words, const Color& color, float end) {
         const std::string cut = fitted(words, end - x_);
@@ -383,20 +378,17 @@ void drawStepFilter(const PanelContext& context) {
 }
 
 void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
-    const float em = context.em;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const float size = 0.78F * em;
-    const ImU32 color = toU32(context.palette.textDim);
+    ScreenPainter painter(context);
+    const float top = ImGui::GetCursorScreenPos().y;
     const auto title = [&](float right, const char* text) {
         if (right <= 0.0F) return;
-        const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text).x;
-        list->AddText(context.fonts.text, size, {right - width, at.y}, color, text);
+        painter.text({right, top}, text, painter.ink(&Palette::textDim),
+                     {0.78F * context.em, Typeface::Text, Align::Right});
     };
     title(columns.triangles, "triangles");
     title(columns.tests, "tests");
     title(columns.refused, "refused");
-    ImGui::Dummy({0.0F, 0.75F * em});
+    ImGui::Dummy({0.0F, 0.75F * context.em});
 }
 
 /// Scrolls to the cursor's row if the cursor has moved away from it.

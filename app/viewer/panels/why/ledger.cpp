@@ -16,15 +16,6 @@ namespace se::view {
 
 namespace {
 
-/// Broken at spaces only: never inside of an address.
-void paragraph(const PanelContext& context, const std::string& text) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
-    for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
-        ImGui::TextUnformatted(line.c_str());
-    ImGui::PopStyleVar();
-    ImGui::Dummy({0.0F, 0.1F * context.em});
-}
-
 /// Query by text, which also finds things that are not in the view or not in the mesh.
 void drawQuestionBox(const PanelContext& context) {
     LedgerPanel& panel = context.state<LedgerPanel>();
@@ -37,11 +28,7 @@ void drawQuestionBox(const PanelContext& context) {
     if (ImGui::IsItemVisible()) nameItem(context, "ledger box");
     ImGui::SameLine();
     if (ImGui::Button("Why?") || entered) askTyped(context.commands);
-    if (!panel.complaint.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        paragraph(context, panel.complaint);
-        ImGui::PopStyleColor();
-    }
+    if (!panel.complaint.empty()) wrappedText(panel.complaint, context.palette.rejected);
 }
 
 void drawEmpty(const PanelContext& context) {
@@ -61,7 +48,7 @@ void drawEmpty(const PanelContext& context) {
 
 void drawAnswer(const PanelContext& context, const Ledger& ledger) {
     ImGui::Spacing();
-    paragraph(context, withShortNumbers(ledger.answer));
+    wrappedText(withShortNumbers(ledger.answer));
     if (context.session().questions().isProving()) dimText("Looking for a proof ...");
     if (!ledger.inversions.empty()) {
         RunSpec inverted = context.session().input().rules();

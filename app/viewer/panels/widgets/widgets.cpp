@@ -125,8 +125,34 @@ bool textArea(const char* label, std::string& text, const ImVec2& size) {
                                      ImGuiInputTextFlags_CallbackResize, grow, &text);
 }
 
-void dimAtRight(const std::string& text) {
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - textWidth(text));
+bool accentButton(const PanelContext& context, bool on, const std::string& label,
+                  const std::string& name, const std::string& tip, float width) {
+    if (!on) return textButton(context, label, name, tip, width);
+    const Palette& colors = context.palette;
+    ImGui::PushStyleColor(ImGuiCol_Button, toVec4(colors.accent));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, toVec4(mix(colors.accent, colors.text, 0.15F)));
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(colors.accentText));
+    const bool clicked = ImGui::Button(label.c_str(), {width, 0.0F});
+    ImGui::PopStyleColor(3);
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+float buttonsWidth(std::initializer_list<const char*> labels) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = -style.ItemSpacing.x;
+    for (const char* each : labels)
+        width += textWidth(each) + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    return width;
+}
+
+bool enterPressed() {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));
+}
+
+void dimAtRight(const std::string& text, float margin) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - textWidth(text) - margin);
     ImGui::TextDisabled("%s", text.c_str());
 }
 
@@ -165,6 +191,13 @@ void drawChevron(const PanelContext& context, const Rect& square, bool up, bool 
     const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
     list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
                       0, std::max(1.5F, 0.12F * em));
+}
+
+void drawFoldArrow(glm::vec2 middle, float radius, bool open, const Color& color) {
+    const ImVec2 tip = toVec2(middle + 0.8F * radius * (open ? glm::vec2(0, 1) : glm::vec2(1, 0)));
+    const ImVec2 half = open ? ImVec2(radius, 1.3F * radius) : ImVec2(1.3F * radius, radius);
+    ImGui::RenderArrowPointingAt(ImGui::GetWindowDrawList(), tip, half,
+                                 open ? ImGuiDir_Down : ImGuiDir_Right, toU32(color));
 }
 
 void heading(const PanelContext& context, const char* title, const std::string& note) {
@@ -236,18 +269,19 @@ void dimShortText(const std::string& text, float width) {
 }
 
 void wrappedText(const std::string& text, float width) {
-    ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
-    const float room = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
-    for (const std::string& line : wrapped(text, room)) ImGui::TextUnformatted(line.c_str());
-    ImGui::PopStyleVar();
-    ImGui::EndGroup();
+    ImGui::TextUnformatted(withBreaks(text, width).c_str());
 }
 
 void wrappedText(const std::string& text, const Color& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     wrappedText(text);
     ImGui::PopStyleColor();
+}
+
+void wrappedIn(ImFont* font, const std::string& text) {
+    ImGui::PushFont(font);
+    wrappedText(text);
+    ImGui::PopFont();
 }
 
 void dimText(const std::string& text, float width) {
@@ -272,15 +306,13 @@ void define(std::string_view word) {
     if (const std::string text = definitionOf(word); !text.empty()) tooltip(text);
 }
 
-bool beginValues(const char* id, const PanelContext& context) {
+bool beginValues(const char* id, const PanelContext& context, float names) {
     // In proportion to the content, a column would have no width in its first frame.
     if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return false;
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.2F * context.em);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, names * context.em);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     return true;
 }
-
-void endValues() { ImGui::EndTable(); }
 
 void valueRow(const PanelContext& context, const char* name, const std::string& value) {
     valueRow(context, name, value, context.palette.text);
@@ -293,32 +325,14 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
     ImGui::TextColored(toVec4(context.palette.textDim), "%s", name);
     define(name);
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
-    for (const std::string& line : wrapped(value, ImGui::GetContentRegionAvail().x)) {
-        ImGui::TextUnformatted(line.c_str());
-    }
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
+    wrappedText(value, color);
 }
 
-void gauge(const PanelContext& context, double value, double threshold, double largest,
-           const Color& color) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float height = 0.5F * context.em;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const auto x = [&](double v) {
-        return at.x + width * static_cast<float>(std::clamp(v / largest, 0.0, 1.0));
-    };
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const float rounding = 0.12F * context.em;
-    list->AddRectFilled(at, {at.x + width, at.y + height}, toU32(context.palette.panelRaised),
-                        rounding);
-    list->AddRectFilled(at, {x(value), at.y + height}, toU32(color), rounding);
-    const float mark = std::round(x(threshold));
-    list->AddLine({mark, at.y - 0.2F * context.em}, {mark, at.y + height + 0.2F * context.em},
-                  toU32(context.palette.text), std::max(1.0F, 0.12F * context.em));
-    ImGui::Dummy({width, height + 0.2F * context.em});
+void numberCell(const std::string& text) {
+    ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room - textWidth(text)));
+    ImGui::TextUnformatted(text.c_str());
 }
 
 std::string fitted(const std::string& text, float width) {
@@ -346,6 +360,15 @@ std::string fittedWords(const std::string& text, float width) {
 
 std::vector<std::string> wrapped(const std::string& text, float width) {
     return linesAtBlanks(text, width, textWidth);
+}
+
+std::string withBreaks(const std::string& text, float width) {
+    std::string all;
+    for (const std::string& line :
+         wrapped(text, width > 0.0F ? width : ImGui::GetContentRegionAvail().x))
+        all += line + "\n";
+    all.pop_back();
+    return all;
 }
 
 std::string_view wordOf(const Event& event) {
@@ -398,16 +421,21 @@ bool beginDialog(const char* title, bool* open, int extraFlags) {
 }
 
 bool beginOverView(const PanelContext& context, const char* name, std::optional<float> top,
-                   std::optional<float> width) {
+                   std::optional<float> width, Color Palette::*border) {
     const Rect& view = context.rects.view;
     const float y = top ? *top * context.em : 0.5F * view.size.y;
     ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + y}, ImGuiCond_Always,
                             {0.5F, top ? 0.0F : 0.5F});
     if (width) ImGui::SetNextWindowSize({std::min(*width * context.em, 0.9F * view.size.x), 0.0F});
-    return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                            ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_Border, toVec4(context.palette.*border));
+    const bool shown = ImGui::Begin(
+        name, nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return shown;
 }
 
 bool beginView(const PanelContext& context, const char* name) {

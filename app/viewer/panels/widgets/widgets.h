@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,13 @@ bool smallButton(const PanelContext& context, const std::string& label, const st
 /// A row of a list with a name and a tooltip, highlighted if `on`. True if clicked.
 bool selectable(const PanelContext& context, const std::string& label, bool on,
                 const std::string& name, const std::string& tip = {});
+/// The same as textButton(), in the accent color if `on`: the next thing to do, or what is chosen.
+bool accentButton(const PanelContext& context, bool on, const std::string& label,
+                  const std::string& name, const std::string& tip = {}, float width = 0.0F);
+/// Width of buttons with these texts beside each other.
+float buttonsWidth(std::initializer_list<const char*> labels);
+/// Enter, also that of the number pad. Space is Dear ImGui's own key for the focused button.
+bool enterPressed();
 /// A bar of progress with a button after it, which has the rest of the line. `text`: on the bar;
 /// null: the percentage. True if the button was clicked.
 bool progressAndStop(const PanelContext& context, double share, const char* text,
@@ -73,8 +81,8 @@ void drawRemovable(Items& items, const Draw& draw) {
 }
 /// Width of a text in the current type.
 inline float textWidth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
-/// A dim text at the right end of the current line.
-void dimAtRight(const std::string& text);
+/// A dim text `margin` pixels before the right end of the current line.
+void dimAtRight(const std::string& text, float margin = 0.0F);
 /// A line across, with space above and below it.
 void separator();
 /// The item whose place on the screen is nearest to the pointer, and nearer than `reach` pixels;
@@ -116,6 +124,9 @@ void takeKeyboardHere();
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
+void wrappedIn(ImFont* font, const std::string& text);
+/// The text with those line breaks, for other items.
+std::string withBreaks(const std::string& text, float width = 0.0F);
 /// A note in the color of less important text.
 void dimText(const std::string& text, float width = 0.0F);
 /// Tooltip of the item drawn last.
@@ -123,18 +134,19 @@ void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
 /// Tooltip of the item drawn last with the definition of a word of the paper, if it is one.
 void define(std::string_view word);
+/// A triangle before what can be folded: it points down if that is open, otherwise to the right.
+void drawFoldArrow(glm::vec2 middle, float radius, bool open, const Color& color);
 /// A chevron in a square, that points up (unfolds) or down (folds).
 void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered);
 /// Two columns: a dim name and a value.
 void valueRow(const PanelContext& context, const char* name, const std::string& value);
 void valueRow(const PanelContext& context, const char* name, const std::string& value,
               const Color& color);
-/// A bar with a value and the threshold it is compared with.
-void gauge(const PanelContext& context, double value, double threshold, double largest,
-           const Color& color);
-/// Begins and ends the table that valueRow() fills.
-bool beginValues(const char* id, const PanelContext& context);
-void endValues();
+/// Begins the table that valueRow() fills; `names`: the width of the first column, in em.
+/// ImGui::EndTable() must follow if it returns true.
+bool beginValues(const char* id, const PanelContext& context, float names = 7.2F);
+/// The next cell of a table, with a number at its right end.
+void numberCell(const std::string& text);
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
 /// The name of a file or a run, cut in the middle if it does not fit `width`.
@@ -171,7 +183,7 @@ bool beginDialog(const char* title, bool* open, int extraFlags = 0);
 /// Begins a window without frame over the view: `top` em below its upper edge, otherwise in the
 /// middle; at most `width` em wide, otherwise as wide as its content. ImGui::End() must follow.
 bool beginOverView(const PanelContext& context, const char* name, std::optional<float> top,
-                   std::optional<float> width);
+                   std::optional<float> width, Color Palette::*border = &Palette::border);
 
 /// Begins the window of a view; false if nothing of it is visible. ImGui::End() must follow.
 bool beginView(const PanelContext& context, const char* name);
