@@ -53,7 +53,7 @@ struct PartRow {
     bool (*isThere)(const PanelContext& context) = nullptr;
     std::string_view synonyms = {};  ///< For the palette, of a part that no action opens.
 };
-/// The table of the parts, in their order; it is in panels/parts.cpp.
+/// The table of the parts, in their order; it is in panels/frame/column.cpp.
 std::span<const PartRow> partRows();
 /// The part of that title; null if there is none.
 const PartRow* partNamed(std::string_view title);

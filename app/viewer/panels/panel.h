@@ -13,7 +13,6 @@
 #include "ui.h"
 
 namespace se {
-struct Event;
 struct StatusCounts;
 }  // namespace se
 
@@ -111,8 +110,6 @@ void drawPaper(const PanelContext& context);
 void drawBreakpoints(const PanelContext& context);
 /// Watched numbers of the run, and their plots.
 void drawWatch(const PanelContext& context);
-/// Points that take no part in the run, by reason; nothing if there are none. Requires an open run.
-void drawAside(const PanelContext& context);
 /// Findings of the doctor.
 void drawDoctor(const PanelContext& context);
 /// Failures of the run.
@@ -143,8 +140,6 @@ bool queryField(const PanelContext& context, const char* id, const char* hint, s
 std::string queryComplaint(const PanelContext& context, const std::string& line);
 /// A dim "?" with a tooltip that explains all terms.
 void queryHelp(const PanelContext& context);
-/// The evidence of an event as rows of values and thresholds.
-void drawEvidence(const PanelContext& context, const Event& event);
 
 /// The rail of tasks, and the parts of the open one.
 void drawColumn(const PanelContext& context);

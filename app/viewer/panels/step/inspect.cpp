@@ -145,20 +145,7 @@ void drawSelection(const PanelContext& context) {
     selection.kind == SelectionKind::Edge ? drawEdge(context, facts) : drawTriangle(context, facts);
 }
 
-void drawStep(const PanelContext& context, const Event& event) {
-    const std::string stage(stageName(event.address.stage));
-    const std::string section = sectionOf(event);
-    heading(context, stage.c_str(), section.empty() ? "not in the paper" : "paper " + section);
-    ImGui::PushFont(context.fonts.mono);
-    ImGui::TextDisabled("%s", toString(event.address).c_str());
-    ImGui::PopFont();
-    if (section.empty()) dimText("Not in the paper: docs/robust.md");
-    ImGui::Spacing();
-    drawEvidence(context, event);
-}
-
-}  // namespace
-
+/// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event) {
     if (!beginValues("##evidence", context)) return;
     const Session& session = context.session();
@@ -176,6 +163,20 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     }
     ImGui::EndTable();
 }
+
+void drawStep(const PanelContext& context, const Event& event) {
+    const std::string stage(stageName(event.address.stage));
+    const std::string section = sectionOf(event);
+    heading(context, stage.c_str(), section.empty() ? "not in the paper" : "paper " + section);
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::TextDisabled("%s", toString(event.address).c_str());
+    ImGui::PopFont();
+    if (section.empty()) dimText("Not in the paper: docs/robust.md");
+    ImGui::Spacing();
+    drawEvidence(context, event);
+}
+
+}  // namespace
 
 void drawInspect(const PanelContext& context) {
     const Session& session = context.session();
