@@ -37,8 +37,11 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
                          const std::string& after) {
         ImGui::TableNextColumn();
         dimText(what);
-        numberCell(before);
-        if (then != nullptr) numberCell(after);
+        ImGui::TableNextColumn();
+        textAtRight(before, context.palette.text);
+        if (then == nullptr) return;
+        ImGui::TableNextColumn();
+        textAtRight(after, context.palette.text);
     };
     const auto spacings = [&](const MeshVerdict* of) -> std::string {
         if (of == nullptr) return {};

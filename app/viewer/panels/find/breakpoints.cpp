@@ -94,8 +94,6 @@ void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const 
     if (text.empty()) return;
     // Closer to its own line than to the next one.
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.6F * ImGui::GetStyle().ItemSpacing.y);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() +
-                         ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushFont(context.fonts.small);
     ImGui::TextDisabled("%s", fittedName(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopFont();
@@ -106,36 +104,48 @@ void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const 
 bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t number,
              const RowFit& fit) {
     const std::string name = "breakpoint " + std::to_string(number);
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float button = kButton * context.em + gap;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &breakpoint.on);
     nameItem(context, name + " on", "On or off");
-    ImGui::SameLine();
-    const float count = fit.count > 0.0F ? fit.count + gap : 0.0F;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - count - button -
-                            (fit.cross ? button : 0.0F));
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0F);
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
     nameItem(context, name);
-    ImGui::SameLine();
-    const float afterHits = ImGui::GetCursorPosX() + count;
-    if (fit.count > 0.0F) {
-        const std::string hits = countText(context.session(), breakpoint);
-        ImGui::SetCursorPosX(afterHits - gap - textWidth(hits));
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(hits.c_str());
-        tooltip("Hits up to the cursor, and in all");
-        ImGui::SameLine(afterHits);
-    }
-    bool gone = drawOptions(context, breakpoint, name);
-    if (fit.cross) {
-        ImGui::SameLine();
-        gone = ImGui::Button("x", {kButton * context.em, 0.0F}) || gone;
-        tooltip("Remove this breakpoint");
-    }
     drawBelow(context, breakpoint, fit);
     if (const std::string complaint = queryComplaint(context, breakpoint.line); !complaint.empty())
         wrappedText(complaint, context.palette.rejected);
+    if (fit.count > 0.0F) {
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        textAtRight(countText(context.session(), breakpoint), context.palette.text);
+        tooltip("Hits up to the cursor, and in all");
+    }
+    ImGui::TableNextColumn();
+    bool gone = drawOptions(context, breakpoint, name);
+    if (fit.cross) {
+        ImGui::TableNextColumn();
+        gone = ImGui::Button("x", {kButton * context.em, 0.0F}) || gone;
+        tooltip("Remove this breakpoint");
+    }
     return gone;
+}
+
+void drawRows(const PanelContext& context, std::vector<Breakpoint>& all) {
+    const RowFit fit = rowFit(context);
+    const int columns = 3 + (fit.count > 0.0F ? 1 : 0) + (fit.cross ? 1 : 0);
+    if (all.empty() || !ImGui::BeginTable("##breakpoints", columns)) return;
+    ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
+    ImGui::TableSetupColumn("line", ImGuiTableColumnFlags_WidthStretch);
+    if (fit.count > 0.0F)
+        ImGui::TableSetupColumn("hits", ImGuiTableColumnFlags_WidthFixed, fit.count);
+    ImGui::TableSetupColumn("options", ImGuiTableColumnFlags_WidthFixed, kButton * context.em);
+    if (fit.cross)
+        ImGui::TableSetupColumn("away", ImGuiTableColumnFlags_WidthFixed, kButton * context.em);
+    drawRemovable(all, [&](Breakpoint& breakpoint, std::size_t i) {
+        return drawRow(context, breakpoint, i + 1, fit);
+    });
+    ImGui::EndTable();
 }
 
 void drawPresets(const PanelContext& context) {
@@ -302,10 +312,7 @@ void drawBreakpoints(const PanelContext& context) {
                 " sets or removes one on the selection, otherwise on this kind of "
                 "decision. Add... lists all kinds.");
     }
-    const RowFit fit = rowFit(context);
-    drawRemovable(all, [&](Breakpoint& breakpoint, std::size_t i) {
-        return drawRow(context, breakpoint, i + 1, fit);
-    });
+    drawRows(context, all);
     drawBreakLog(context);
 }
 

@@ -105,67 +105,56 @@ void drawCounters(const PanelContext& context) {
     drawInput(context);
 }
 
-/// Width in em from which the counts are beside the charts, and their share of it.
-
-/// Columns of a chart, in pixels from its left edge.
-struct ChartColumns {
-    float label = 0.0F;  ///< Width of the labels.
-    float count = 0.0F;  ///< Width of the counts.
-    std::uint64_t most = 1;
-};
-
-ChartColumns columnsOf(const RunChart& chart) {
-    ChartColumns columns;
-    for (const ChartBar& bar : chart.bars) {
-        columns.label = std::max(columns.label, textWidth(bar.label));
-        columns.count = std::max(columns.count, textWidth(grouped(bar.count)));
-        columns.most = std::max(columns.most, bar.count);
-    }
-    return columns;
-}
-
-/// Label, bar, count; a click queries its decisions.
+/// Label, bar, count; a click queries its decisions. `most`: the count of a bar of full width.
 void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar& bar,
-             const ChartColumns& columns) {
+             std::uint64_t most) {
     const float em = context.em;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float height = ImGui::GetTextLineHeight();
-    ImGui::PushID(bar.query.c_str());
+    ImGui::TableNextColumn();
     const bool asked = context.session().questions().line() == bar.query;
-    const bool chosen = ImGui::Selectable("##bar", asked, 0, {0.0F, height});
-    ImGui::PopID();
+    const bool chosen =
+        ImGui::Selectable(("##" + bar.query).c_str(), asked, ImGuiSelectableFlags_SpanAllColumns);
     if (ImGui::IsItemVisible())
         nameItem(context, "bar " + std::string(chart.name) + " " + bar.label);
     tooltip(grouped(bar.count) + " " + std::string(chart.unit) + "\n" + bar.query);
     if (chosen) askQuery(context.commands, bar.query);
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ImGui::SameLine(0.0F, 0.0F);
     const bool named = !bar.label.empty() && bar.label[0] > '9';
-    const float indent = named ? 0.0F : columns.label - textWidth(bar.label);
-    list->AddText({at.x + 0.2F * em + indent, at.y}, toU32(context.palette.text),
-                  bar.label.c_str());
-    const std::string count = grouped(bar.count);
-    const float right = at.x + room - 0.2F * em;
-    list->AddText({right - textWidth(count), at.y}, toU32(context.palette.textDim), count.c_str());
-    const float from = at.x + columns.label + 0.8F * em;
-    const float full = std::max(0.0F, right - columns.count - 0.6F * em - from);
-    const float share = static_cast<float>(bar.count) / static_cast<float>(columns.most);
+    named ? ImGui::TextUnformatted(bar.label.c_str())
+          : textAtRight(bar.label, context.palette.text);
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    const float share = static_cast<float>(bar.count) / static_cast<float>(most);
     // Any count above zero is visible, however small.
-    const float width = bar.count == 0 ? 0.0F : std::max(0.12F * em, share * full);
-    list->AddRectFilled({from, at.y + 0.18F * height}, {from + width, at.y + 0.86F * height},
-                        toU32(context.palette.accent), 0.1F * em);
+    const float width =
+        bar.count == 0 ? 0.0F : std::max(0.12F * em, share * ImGui::GetContentRegionAvail().x);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.18F * height},
+                                              {at.x + width, at.y + 0.86F * height},
+                                              toU32(context.palette.accent), 0.1F * em);
+    ImGui::TableNextColumn();
+    textAtRight(grouped(bar.count), context.palette.textDim);
 }
 
 void drawChart(const PanelContext& context, const RunChart& chart) {
     ImGui::Spacing();
     heading(context, std::string(chart.title).c_str(), std::string(chart.unit));
     if (chart.bars.empty()) return dimText("There are none.");
-    const ChartColumns columns = columnsOf(chart);
-    ImGui::PushID(chart.name.data());
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.12F * context.em});
-    for (const ChartBar& bar : chart.bars) drawBar(context, chart, bar, columns);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.3F * context.em, 0.06F * context.em});
+    if (!ImGui::BeginTable(chart.name.data(), 3)) return ImGui::PopStyleVar();
+    float label = 0.0F;
+    float count = 0.0F;
+    std::uint64_t most = 1;
+    for (const ChartBar& bar : chart.bars) {
+        label = std::max(label, textWidth(bar.label));
+        count = std::max(count, textWidth(grouped(bar.count)));
+        most = std::max(most, bar.count);
+    }
+    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, label);
+    ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, count);
+    for (const ChartBar& bar : chart.bars) drawBar(context, chart, bar, most);
+    ImGui::EndTable();
     ImGui::PopStyleVar();
-    ImGui::PopID();
 }
 
 void drawRunCharts(const PanelContext& context) {

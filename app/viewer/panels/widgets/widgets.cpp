@@ -328,11 +328,10 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
     wrappedText(value, color);
 }
 
-void numberCell(const std::string& text) {
-    ImGui::TableNextColumn();
+void textAtRight(const std::string& text, const Color& color) {
     const float room = ImGui::GetContentRegionAvail().x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room - textWidth(text)));
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextColored(toVec4(color), "%s", text.c_str());
 }
 
 std::string fitted(const std::string& text, float width) {

@@ -145,8 +145,8 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
 /// Begins the table that valueRow() fills; `names`: the width of the first column, in em.
 /// ImGui::EndTable() must follow if it returns true.
 bool beginValues(const char* id, const PanelContext& context, float names = 7.2F);
-/// The next cell of a table, with a number at its right end.
-void numberCell(const std::string& text);
+/// A text at the right end of a cell of a table.
+void textAtRight(const std::string& text, const Color& color);
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
 /// The name of a file or a run, cut in the middle if it does not fit `width`.
