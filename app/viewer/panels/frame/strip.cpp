@@ -328,30 +328,26 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
 /// Width from which unit and speed are there, in em.
 constexpr float kWithSpeed = 20.0F;
 
-struct TransportButton {
-    const char* id;
-    Icon icon;
-    const char* command;
-    const char* text;
-};
-
 constexpr std::array kBefore = {
-    TransportButton{"##start", Icon::SkipStart, "run.start", "To the start"},
-    TransportButton{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot"},
-    TransportButton{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step"}};
+    CommandButton{"##start", Icon::SkipStart, "run.start", "To the start"},
+    CommandButton{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot"},
+    CommandButton{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step"}};
 constexpr std::array kAfter = {
-    TransportButton{"##on", Icon::StepForward, "step.event.next", "Next sub-step"},
-    TransportButton{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
-    TransportButton{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
+    CommandButton{"##on", Icon::StepForward, "step.event.next", "Next sub-step"},
+    CommandButton{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
+    CommandButton{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
 
-template <std::size_t N>
-void drawButtons(const PanelContext& context, const std::array<TransportButton, N>& buttons,
+void drawButtons(const PanelContext& context, std::span<const CommandButton> buttons,
                  bool enabled) {
-    for (const TransportButton& b : buttons) {
-        const std::string help = withKeys(context, b.text, b.command);
-        if (iconButton(b.id, b.icon, help.c_str(), enabled, false, context)) context.run(b.command);
+    for (const CommandButton& b : buttons) {
+        drawCommandButton(context, b, withKeys(context, b.text, b.command), enabled);
         ImGui::SameLine(0.0F, 0.2F * context.em);
     }
+}
+
+CommandButton playButton(const PanelContext& context) {
+    const bool playing = context.playback().playing();
+    return {"##play", playing ? Icon::Pause : Icon::Play, "run.play", playing ? "Pause" : "Play"};
 }
 
 void drawSpeed(const PanelContext& context) {
@@ -387,22 +383,16 @@ void drawUnit(const PanelContext& context) {
 void drawLarge(const PanelContext& context, const Rect& area) {
     const Session& session = context.session();
     const bool on = session.ready() && !session.atEnd();
-    const bool playing = context.playback().playing();
-    const std::array<TransportButton, 5> buttons = {
-        kBefore[1], kBefore[2],
-        TransportButton{"##play", playing ? Icon::Pause : Icon::Play, "run.play",
-                        playing ? "Pause" : "Play"},
-        kAfter[0], kAfter[1]};
+    const std::array buttons = {kBefore[1], kBefore[2], playButton(context), kAfter[0], kAfter[1]};
     const float gap = 0.4F * context.em;
     const float width = (area.size.x - 6.0F * gap) / 5.0F;
     for (std::size_t i = 0; i < buttons.size(); ++i) {
         ImGui::SetCursorScreenPos({area.min.x + gap + static_cast<float>(i) * (width + gap),
                                    area.min.y + 0.4F * context.em});
-        const TransportButton& each = buttons[i];
-        const bool enabled = i < 2 ? !session.atStart() : on;
-        if (iconButton(each.id, each.icon, withKeys(context, each.text, each.command).c_str(),
-                       enabled, i == 2, context, {width, area.size.y - 0.8F * context.em}))
-            context.run(each.command);
+        const CommandButton& each = buttons[i];
+        drawCommandButton(context, each, withKeys(context, each.text, each.command),
+                          i < 2 ? !session.atStart() : on, i == 2,
+                          {width, area.size.y - 0.8F * context.em});
     }
 }
 
@@ -414,12 +404,9 @@ void drawTransport(const PanelContext& context, const Rect& area) {
     ImGui::SetCursorScreenPos({area.min.x + 0.7F * em, area.min.y + 0.5F * (area.size.y - high)});
     ImGui::BeginGroup();
     drawButtons(context, kBefore, !session.atStart());
-    const bool playing = context.playback().playing();
-    if (iconButton("##play", playing ? Icon::Pause : Icon::Play,
-                   withKeys(context, playing ? "Pause" : "Play", "run.play").c_str(),
-                   session.ready() && !session.atEnd(), true, context)) {
-        context.run("run.play");
-    }
+    const CommandButton play = playButton(context);
+    drawCommandButton(context, play, withKeys(context, play.text, play.command),
+                      session.ready() && !session.atEnd(), true);
     ImGui::SameLine(0.0F, 0.2F * em);
     drawButtons(context, kAfter, session.ready() && !session.atEnd());
     if (area.size.x > kWithSpeed * em) {
@@ -498,8 +485,16 @@ void drawFold(const PanelContext& context, const Rect& area) {
              std::string(folded ? "Show the lanes of the run, and the decisions of the stage ("
                                 : "Fold the strips to this row (") +
                  context.key("view.strips") + ")");
+    // A chevron that points up, where it unfolds, or down.
     const bool hovered = ImGui::IsItemHovered();
-    drawChevron(context, lastItem(), folded, hovered);
+    const Rect square = lastItem();
+    const glm::vec2 side(0.32F * em, (folded ? 0.16F : -0.16F) * em);
+    const glm::vec2 tip = square.min + 0.5F * square.size - glm::vec2(0.0F, side.y);
+    ScreenPainter p(context);
+    if (hovered) p.box(square, p.ink(&Palette::panelRaised), 0.2F * em);
+    const Ink ink = p.ink(hovered ? &Palette::text : &Palette::textDim).line(p.px(0.12F));
+    p.line(tip + glm::vec2(-side.x, 2.0F * side.y), tip, ink);
+    p.line(tip, tip + 2.0F * side - glm::vec2(side.x, 0.0F), ink);
 }
 
 }  // namespace

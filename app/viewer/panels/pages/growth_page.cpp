@@ -192,32 +192,23 @@ void drawValues(const PanelContext& context) {
     }
 }
 
-struct Button {
-    const char* id;
-    Icon icon;
-    const char* command;
-    const char* text;
-};
-
 void drawSteppers(const PanelContext& context) {
     const Growth& growth = context.commands.sampling.growth();
     const bool over = growth.phase() == GrowthPhase::Done;
     const bool plays = growth.moving();
     const std::array buttons = {
-        Button{"##restart", Icon::SkipStart, "run.start", "Restart"},
-        Button{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
-               plays  ? "Pause"
-               : over ? "Restart"
-                      : "Continue spreading, 30 steps per second"},
-        Button{"##step", Icon::StepForward, "step.event.next", "One step, then pause"},
-        Button{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
-    for (const Button& b : buttons) {
+        CommandButton{"##restart", Icon::SkipStart, "run.start", "Restart"},
+        CommandButton{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
+                      plays  ? "Pause"
+                      : over ? "Restart"
+                             : "Continue spreading, 30 steps per second"},
+        CommandButton{"##step", Icon::StepForward, "step.event.next", "One step, then pause"},
+        CommandButton{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
+    for (const CommandButton& b : buttons) {
         const bool forward = b.icon == Icon::StepForward || b.icon == Icon::SkipEnd;
         const bool enabled = !forward || (!over && growth.phase() != GrowthPhase::Failed);
-        const std::string help = std::string(b.text) + " (" + context.key(b.command) + ")";
-        if (iconButton(b.id, b.icon, help.c_str(), enabled, b.icon == Icon::Pause, context)) {
-            context.run(b.command);
-        }
+        drawCommandButton(context, b, std::string(b.text) + " (" + context.key(b.command) + ")",
+                          enabled, b.icon == Icon::Pause);
         context.where()[std::string("growth ") + (b.id + 2)] = lastItem();
         ImGui::SameLine(0.0F, 0.2F * context.em);
     }

@@ -181,18 +181,6 @@ void partNote(const std::string& note) {
     if (!note.empty()) dimText(note);
 }
 
-void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered) {
-    const float em = context.em;
-    const glm::vec2 c = square.min + 0.5F * square.size;
-    const float r = 0.32F * em;
-    const float tip = up ? -0.5F * r : 0.5F * r;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (hovered) fill(list, square, context.palette.panelRaised, 0.2F * em);
-    const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
-    list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
-                      0, std::max(1.5F, 0.12F * em));
-}
-
 void drawFoldArrow(glm::vec2 middle, float radius, bool open, const Color& color) {
     const ImVec2 tip = toVec2(middle + 0.8F * radius * (open ? glm::vec2(0, 1) : glm::vec2(1, 0)));
     const ImVec2 half = open ? ImVec2(radius, 1.3F * radius) : ImVec2(1.3F * radius, radius);
@@ -235,6 +223,12 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
     return pressed;
 }
 
+void drawCommandButton(const PanelContext& context, const CommandButton& button,
+                       const std::string& help, bool enabled, bool active, ImVec2 size) {
+    if (iconButton(button.id, button.icon, help.c_str(), enabled, active, context, size))
+        context.run(button.command);
+}
+
 std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command) {
     const std::string keys = context.settings().keys.all(*findCommand(command));
@@ -256,16 +250,10 @@ void takeKeyboardHere() {
     g.NavDisableHighlight = false;
 }
 
-void shortText(const std::string& text, float width) {
-    const std::string shown = fittedName(text, width);
-    ImGui::TextUnformatted(shown.c_str());
-    if (shown != text) tooltip(text);
-}
-
 void dimShortText(const std::string& text, float width) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    shortText(text, width);
-    ImGui::PopStyleColor();
+    const std::string shown = fittedName(text, width);
+    ImGui::TextDisabled("%s", shown.c_str());
+    if (shown != text) tooltip(text);
 }
 
 void wrappedText(const std::string& text, float width) {

@@ -112,6 +112,16 @@ void partNote(const std::string& note);
 /// A button with a drawn icon, filled if `active`; `size` 0: of the usual size.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context, ImVec2 size = {0.0F, 0.0F});
+/// A button with a drawn icon that runs a command.
+struct CommandButton {
+    const char* id;
+    Icon icon;
+    const char* command;
+    const char* text;
+};
+void drawCommandButton(const PanelContext& context, const CommandButton& button,
+                       const std::string& help, bool enabled, bool active = false,
+                       ImVec2 size = {0.0F, 0.0F});
 /// "Next pivot (F10, .)": with the user's keys.
 std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command);
@@ -136,8 +146,6 @@ void showTooltip(const std::string& text);
 void define(std::string_view word);
 /// A triangle before what can be folded: it points down if that is open, otherwise to the right.
 void drawFoldArrow(glm::vec2 middle, float radius, bool open, const Color& color);
-/// A chevron in a square, that points up (unfolds) or down (folds).
-void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered);
 /// Two columns: a dim name and a value.
 void valueRow(const PanelContext& context, const char* name, const std::string& value);
 void valueRow(const PanelContext& context, const char* name, const std::string& value,
@@ -151,9 +159,7 @@ void textAtRight(const std::string& text, const Color& color);
 std::string fitted(const std::string& text, float width);
 /// The name of a file or a run, cut in the middle if it does not fit `width`.
 std::string fittedName(const std::string& name, float width);
-/// A line of text, shortened in its middle to `width`; where it is, the tooltip has all of it.
-void shortText(const std::string& text, float width);
-/// The same in the color of less important text.
+/// A dim line of text, shortened in its middle to `width`; where it is, the tooltip has all of it.
 void dimShortText(const std::string& text, float width);
 /// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
