@@ -44,12 +44,6 @@ class ViewDrag {
     bool drags_ = false;
 };
 
-/// The lasso that is being drawn around points of the view, in pixels of the window.
-struct Lasso {
-    bool drawing = false;
-    std::vector<glm::vec2> path;
-};
-
 /// Delay of the selection by a click until it cannot be the first half of a double click.
 class DoubleClickFilter {
   public:

@@ -5,7 +5,7 @@
 
 namespace se::view {
 
-void PieceTool::moveTo(glm::vec2 pointer, float step) {
+void EnclosingLine::moveTo(glm::vec2 pointer, float step) {
     if (drawn == PieceShape::Box) {
         path.back() = pointer;
     } else if (glm::distance(path.back(), pointer) >= step) {
@@ -13,7 +13,7 @@ void PieceTool::moveTo(glm::vec2 pointer, float step) {
     }
 }
 
-std::vector<glm::vec2> PieceTool::finish() {
+std::vector<glm::vec2> EnclosingLine::finish() {
     drawing = false;
     std::vector<glm::vec2> line = std::exchange(path, {});
     if (drawn == PieceShape::Lasso) {

@@ -14,16 +14,12 @@ namespace se::view {
 
 enum class PieceShape : std::uint8_t { Box, Lasso };
 
-struct PieceTool {
-    bool on = false;
-    PieceShape shape = PieceShape::Box;  ///< Of a drag without Shift.
+/// A line that is being drawn around points of the view.
+struct EnclosingLine {
     bool drawing = false;
     PieceShape drawn = PieceShape::Box;  ///< Shape of `path`.
-    /// Corners of the line that is being drawn, in pixels of the window; of a box its first corner
-    /// and the pointer.
+    /// Corners in pixels of the window; of a box its first corner and the pointer.
     std::vector<glm::vec2> path = {};
-    std::vector<Index> inside = {};  ///< Points of the run that are enclosed, ascending.
-    std::uint32_t generation = 0;    ///< Of the session that they belong to.
 
     void begin(glm::vec2 pointer, PieceShape with) {
         drawing = true;
@@ -34,6 +30,14 @@ struct PieceTool {
     void moveTo(glm::vec2 pointer, float step);
     /// Ends the drawing. The closed line; empty if it encloses nothing.
     std::vector<glm::vec2> finish();
+};
+
+struct PieceTool {
+    bool on = false;
+    PieceShape shape = PieceShape::Box;  ///< Of a drag without Shift.
+    EnclosingLine line = {};
+    std::vector<Index> inside = {};  ///< Points of the run that are enclosed, ascending.
+    std::uint32_t generation = 0;    ///< Of the session that they belong to.
 };
 
 // The drag of a point in the view, while the panel What if is open. Plain values.

@@ -5,7 +5,7 @@
 using namespace se::view;
 
 TEST_CASE("A dragged box has four corners, one without an area encloses nothing") {
-    PieceTool tool;
+    EnclosingLine tool;
     tool.begin({10, 20}, PieceShape::Box);
     tool.moveTo({50, 30}, 4.0F);
     tool.moveTo({40, 80}, 4.0F);
@@ -18,7 +18,7 @@ TEST_CASE("A dragged box has four corners, one without an area encloses nothing"
 }
 
 TEST_CASE("A lasso has corners at least a step apart, and needs three") {
-    PieceTool tool;
+    EnclosingLine tool;
     tool.begin({0, 0}, PieceShape::Lasso);
     tool.moveTo({1, 0}, 4.0F);
     CHECK(tool.finish().empty());

@@ -42,9 +42,7 @@ constexpr float kAboutOthers = 0.7F;
 }  // namespace
 
 ScreenProjection::ScreenProjection(const PanelContext& context)
-    : context_(context),
-      view_(context.rects.view),
-      camera_(context.camera().matrices(view_.size.x / view_.size.y)) {}
+    : context_(context), view_(context.rects.view), camera_(cameraOf(context)) {}
 
 std::optional<glm::vec2> ScreenProjection::at(const glm::vec3& place) const {
     const glm::vec3 seen = project(camera_, place, view_.size);

@@ -24,14 +24,7 @@ namespace {
 
 constexpr float kStripWidth = 27.0F;
 /// Minimum distance between corners of a lasso, in em.
-constexpr float kPieceStep = 0.25F;
-
-void finishPiece(const PanelContext& context, PieceTool& tool) {
-    const Rect& view = context.rects.view;
-    std::vector<glm::vec2> path = tool.finish();
-    for (glm::vec2& corner : path) corner -= view.min;
-    enclosePoints(context.commands, view.size, path);
-}
+constexpr float kLineStep = 0.25F;
 
 /// The choice of a shape, as a button that stays pressed.
 void drawShapeChoice(const PanelContext& context, PieceTool& tool, PieceShape shape,
@@ -73,25 +66,33 @@ bool handlePieceTool(const PanelContext& context) {
     // The camera does not follow a drag that began here, even if Esc ends the tool meanwhile.
     if (ImGui::IsItemActivated()) context.state<ViewDrag>().begin();
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyCtrl)
-        tool.begin(pointerInWindow(), io.KeyShift ? PieceShape::Lasso : tool.shape);
-    if (!tool.drawing) return false;
-    const Rect& view = context.rects.view;
-    tool.moveTo(glm::clamp(pointerInWindow(), view.min, view.max()), kPieceStep * context.em);
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) finishPiece(context, tool);
+        tool.line.begin(pointerInWindow(), io.KeyShift ? PieceShape::Lasso : tool.shape);
+    if (!tool.line.drawing) return false;
+    if (const auto path = followLine(context, tool.line))
+        enclosePoints(context.commands, context.rects.view.size, *path);
     return true;
 }
 
-void drawPieceLine(const PanelContext& context) {
-    const PieceTool& tool = context.state<PieceTool>();
-    if (!tool.drawing || tool.path.size() < 2) return;
+std::optional<std::vector<glm::vec2>> followLine(const PanelContext& context, EnclosingLine& line) {
+    const Rect& view = context.rects.view;
+    line.moveTo(glm::clamp(pointerInWindow(), view.min, view.max()), kLineStep * context.em);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return std::nullopt;
+    std::vector<glm::vec2> path = line.finish();
+    for (glm::vec2& corner : path) corner -= view.min;
+    return path;
+}
+
+void drawEnclosingLine(const PanelContext& context, const EnclosingLine& line) {
+    if (!line.drawing || line.path.size() < 2) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
+    // In the color of text, with a rim of the background color, unlike any ring.
     const auto stroke = [&](const Color& color, float width) {
-        if (tool.drawn == PieceShape::Box) {
-            const glm::vec2 low = glm::min(tool.path.front(), tool.path.back());
-            const glm::vec2 high = glm::max(tool.path.front(), tool.path.back());
+        if (line.drawn == PieceShape::Box) {
+            const glm::vec2 low = glm::min(line.path.front(), line.path.back());
+            const glm::vec2 high = glm::max(line.path.front(), line.path.back());
             return list->AddRect(toVec2(low), toVec2(high), toU32(color), 0.0F, 0, width);
         }
-        for (const glm::vec2& corner : tool.path) list->PathLineTo(toVec2(corner));
+        for (const glm::vec2& corner : line.path) list->PathLineTo(toVec2(corner));
         list->PathStroke(toU32(color), ImDrawFlags_Closed, width);
     };
     stroke(context.palette.background, std::max(3.5F, 0.3F * context.em));
@@ -118,11 +119,6 @@ namespace {
 constexpr float kMoveShare = 0.01F;
 /// Radius around a point within which a press is on it, in em.
 constexpr float kReachOfPress = 0.7F;
-
-CameraMatrices cameraOf(const PanelContext& context) {
-    const Rect& view = context.rects.view;
-    return context.camera().matrices(view.size.x / view.size.y);
-}
 
 bool isOffered(const PanelContext& context) {
     return !context.beside && ImGui::GetFrameCount() - context.state<MoveTool>().offeredIn <= 1;

@@ -330,8 +330,8 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     if (!session.ready() || session.picture().pivot == kNone) return std::nullopt;
     const Rect& view = context.rects.view;
     const Index pivot = session.picture().pivot;
-    const auto arrow = edgeArrow(context.camera().matrices(view.size.x / view.size.y),
-                                 session.shown().place[pivot], view.size, kInset * context.em);
+    const auto arrow =
+        edgeArrow(cameraOf(context), session.shown().place[pivot], view.size, kInset * context.em);
     if (!arrow) return std::nullopt;
     const glm::vec2 half(kTip * context.em);
     PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};
@@ -362,19 +362,12 @@ void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow) {
     list->AddCircleFilled(toVec2(at), 0.45F * kDisc * em, color);
 }
 
-/// Minimum distance between corners of the line, in em.
-constexpr float kLassoStep = 0.25F;
-
 /// Sets a breakpoint on all events of the enclosed points, and marks them.
-void closeLasso(const PanelContext& context, Lasso& lasso) {
+void breakWithin(const PanelContext& context, std::span<const glm::vec2> path) {
     Session& session = context.session();
-    const Rect& view = context.rects.view;
-    std::vector<glm::vec2> path = std::exchange(lasso.path, {});
-    lasso.drawing = false;
-    if (path.size() < 3) return;
-    for (glm::vec2& corner : path) corner -= view.min;
-    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    const std::vector<Index> points = pointsWithin(session.model(), camera, view.size, path);
+    if (path.empty()) return;
+    const std::vector<Index> points =
+        pointsWithin(session.model(), cameraOf(context), context.rects.view.size, path);
     if (points.empty())
         return session.messages().say("There is no point inside the lasso that faces this way.");
     addBreakpoint(context.commands,
@@ -386,35 +379,15 @@ void closeLasso(const PanelContext& context, Lasso& lasso) {
 /// Ctrl with a left drag draws a lasso around points; true while it does, and as it ends. To be
 /// called right after the scene's own item.
 bool handleLasso(const PanelContext& context) {
-    Lasso& lasso = context.state<Lasso>();
-    const ImGuiIO& io = ImGui::GetIO();
-    const glm::vec2 mouse(io.MousePos.x, io.MousePos.y);
-    if (ImGui::IsItemActivated() && io.KeyCtrl && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        lasso = {true, {mouse}};
+    EnclosingLine& lasso = context.state<EnclosingLine>();
+    if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl &&
+        ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        lasso.begin(pointerInWindow(), PieceShape::Lasso);
         context.playback().pause();
     }
     if (!lasso.drawing) return false;
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        closeLasso(context, lasso);
-    } else if (glm::distance(lasso.path.back(), mouse) > kLassoStep * context.em) {
-        lasso.path.push_back(mouse);
-    }
+    if (const auto path = followLine(context, lasso)) breakWithin(context, *path);
     return true;
-}
-
-void drawLasso(const PanelContext& context) {
-    const std::vector<glm::vec2>& path = context.state<Lasso>().path;
-    if (path.size() < 2) return;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    // In the color of text, with a rim of the background color, unlike any ring.
-    const auto stroke = [&](const Color& color, float width) {
-        for (const glm::vec2& corner : path) list->PathLineTo(toVec2(corner));
-        list->PathStroke(toU32(color), 0, width);
-    };
-    stroke(context.palette.background, std::max(3.5F, 0.3F * context.em));
-    stroke(context.palette.text, std::max(1.5F, 0.12F * context.em));
-    list->AddLine(toVec2(path.back()), toVec2(path.front()),
-                  toU32(context.palette.text.withAlpha(0.5F)), std::max(1.0F, 0.08F * context.em));
 }
 
 glm::vec2 localMouse(const Rect& view) { return pointerInWindow() - view.min; }
@@ -434,6 +407,10 @@ bool asksForPoints(const PanelContext& context) {
     return !context.beside && panel.walk.isOpen() && panel.walk.takesPoints();
 }
 
+float reachOfClick(const PanelContext& context) {
+    return (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em;
+}
+
 /// Only visible things can be picked.
 Pick underMouse(const PanelContext& context) {
     const Session& session = context.session();
@@ -445,9 +422,7 @@ Pick underMouse(const PanelContext& context) {
         mesh ? session.shownTriangles() : std::span<const Triangle>{},
         session.picture().repaired ? nullptr : &session.meshIndex(),
         rings ? std::span<const RingPath>(session.picture().rings) : std::span<const RingPath>{}};
-    return pick(scene,
-                {context.camera().matrices(view.size.x / view.size.y), view.size, localMouse(view),
-                 (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em});
+    return pick(scene, {cameraOf(context), view.size, localMouse(view), reachOfClick(context)});
 }
 
 /// While a question for points is open, a click marks a point.
@@ -497,10 +472,9 @@ void hoverNeighbor(const PanelContext& context) {
     const Index pivot = session.picture().pivot;
     if (pivot == kNone) return;
     const Rect& view = context.rects.view;
-    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
     context.state<Navigation>().pointedAt =
-        pickAmong(session.shown(), session.shown().points.neighbors[pivot], camera, view.size,
-                  localMouse(view), (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em);
+        pickAmong(session.shown(), session.shown().points.neighbors[pivot], cameraOf(context),
+                  view.size, localMouse(view), reachOfClick(context));
 }
 
 void handleMouse(const PanelContext& context) {
@@ -632,10 +606,10 @@ void drawWithOverlays(const PanelContext& context) {
     drawFaultPins(context, pins);
     drawForAudience(context);
     drawOver(context, arrow, axes, layers);
-    drawLasso(context);
+    drawEnclosingLine(context, context.state<EnclosingLine>());
     drawSectionPlane(context);
     drawMoveWay(context);
-    if (!context.beside) drawPieceLine(context);
+    if (!context.beside) drawEnclosingLine(context, context.state<PieceTool>().line);
 }
 
 }  // namespace

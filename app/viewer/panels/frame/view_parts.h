@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "layout/overlays.h"
+#include "panel_state/view_tools.h"
 #include "panels/panel.h"
 #include "scene/camera.h"
 
@@ -31,8 +32,11 @@ inline glm::vec2 pointerInWindow() {
 /// Draws a box or a lasso with the left button while the tool for a piece is on. True while it
 /// takes the mouse. To be called right after the scene's own item.
 bool handlePieceTool(const PanelContext& context);
+/// A box or a lasso follows the pointer. When the button is released: its corners, in pixels of the
+/// view; none if it encloses nothing.
+std::optional<std::vector<glm::vec2>> followLine(const PanelContext& context, EnclosingLine& line);
 /// The box or the lasso, while it is drawn.
-void drawPieceLine(const PanelContext& context);
+void drawEnclosingLine(const PanelContext& context, const EnclosingLine& line);
 
 /// Drags a point while the panel What if is open. True while it takes the mouse. To be called right
 /// after the scene's own item.
@@ -76,6 +80,12 @@ class ScreenProjection {
     const Rect& view_;
     CameraMatrices camera_;
 };
+
+/// The camera of the view.
+inline CameraMatrices cameraOf(const PanelContext& context) {
+    const glm::vec2& size = context.rects.view.size;
+    return context.camera().matrices(size.x / size.y);
+}
 
 // The parts of the strip below the view.
 
