@@ -41,18 +41,14 @@ namespace se::view {
 namespace {
 
 /// A pin: upright and filled if the layer is pinned, a ring if the stage decides.
-void drawPin(const PanelContext& context, ImVec2 center, LayerMode mode) {
+void drawPin(const PanelContext& context, glm::vec2 center, LayerMode mode) {
     const float em = context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const float width = std::max(1.0F, 0.1F * em);
-    if (mode == LayerMode::Automatic) {
-        list->AddCircle(center, 0.26F * em, toU32(context.palette.textDim.withAlpha(0.6F)), 0,
-                        width);
-        return;
-    }
-    const ImU32 color = toU32(context.palette.accent);
-    list->AddCircleFilled({center.x, center.y - 0.16F * em}, 0.28F * em, color);
-    list->AddLine({center.x, center.y}, {center.x, center.y + 0.5F * em}, color, width);
+    ScreenPainter p(context);
+    if (mode == LayerMode::Automatic)
+        return p.circle(center, 0.26F * em, p.ink(&Palette::textDim, 0.6F).line(p.px(0.1F)));
+    const Ink ink = p.ink(&Palette::accent);
+    p.circle(center - glm::vec2(0.0F, 0.16F * em), 0.28F * em, ink);
+    p.line(center, center + glm::vec2(0.0F, 0.45F * em), ink.line(p.px(0.1F)));
 }
 
 /// By LayerMode.
@@ -95,8 +91,7 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     nameItem(context, "layer " + std::string(layer.name));
     if (rests) ImGui::PopStyleColor();
     if (const Command* command = findCommand("layer." + std::string(layer.name))) {
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
-        ImGui::TextDisabled("%s", context.key(*command).c_str());
+        dimAtRight(context.key(*command));
     }
     ImGui::PopID();
 }
@@ -115,8 +110,7 @@ void drawLayerSwitches(const PanelContext& context) {
     ImGui::Checkbox("Legend", &context.settings().legend);
     bool light = context.settings().theme == Theme::Light;
     if (ImGui::Checkbox("Light theme", &light)) context.run("view.theme");
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
-    ImGui::TextDisabled("T");
+    dimAtRight("T");
 }
 
 // For an audience: a halo at the pointer, and a spotlight on the neighborhood of the pivot, beyond
@@ -128,36 +122,25 @@ constexpr float kHalo = 1.4F;
 constexpr float kLeastSpot = 4.0F;
 constexpr float kMarginOfSpot = 1.5F;
 
-/// The circle around marks, in pixels.
-struct SpotCircle {
-    glm::vec2 center{0.0F};
-    float radius = 0.0F;
-};
-
-SpotCircle circleAround(const std::vector<LabelMark>& marks) {
+void drawSpotlight(const PanelContext& context) {
+    const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
+    if (marks.empty()) return;
     glm::vec2 low = marks.front().at;
     glm::vec2 high = low;
     for (const LabelMark& each : marks) {
         low = glm::min(low, each.at);
         high = glm::max(high, each.at);
     }
-    SpotCircle circle{0.5F * (low + high), 0.0F};
-    for (const LabelMark& each : marks)
-        circle.radius = std::max(circle.radius, glm::distance(circle.center, each.at));
-    return circle;
-}
-
-void drawSpotlight(const PanelContext& context) {
-    const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
-    if (marks.empty()) return;
-    const SpotCircle spot = circleAround(marks);
+    const glm::vec2 center = 0.5F * (low + high);
     const float em = context.em;
-    const float radius = std::max(kLeastSpot * em, spot.radius + kMarginOfSpot * em);
+    float radius = kLeastSpot * em;
+    for (const LabelMark& each : marks)
+        radius = std::max(radius, glm::distance(center, each.at) + kMarginOfSpot * em);
     // A ring that is wide enough to cover the rest of the view.
     const glm::vec2& size = context.rects.view.size;
     const float width = 2.0F * (size.x + size.y) + radius;
     ScreenPainter painter(context);
-    painter.circle(spot.center, radius + 0.5F * width,
+    painter.circle(center, radius + 0.5F * width,
                    painter.ink(&Palette::background, 1.0F - kStrengthBeyond).line(width));
 }
 
@@ -319,8 +302,8 @@ constexpr float kInset = 2.0F;
 
 /// The arrow to the pivot, if the pivot is outside of the view.
 struct PivotArrow {
-    EdgeArrow arrow;
-    Rect rect;  ///< In pixels of the window.
+    glm::vec2 way;  ///< From its middle to its tip.
+    Rect rect;      ///< In pixels of the window.
     bool hovered = false;
 };
 
@@ -334,7 +317,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
         edgeArrow(cameraOf(context), session.shown().place[pivot], view.size, kInset * context.em);
     if (!arrow) return std::nullopt;
     const glm::vec2 half(kTip * context.em);
-    PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};
+    PivotArrow found{arrow->way, {view.min + arrow->at - half, 2.0F * half}};
     ImGui::SetCursorScreenPos(toVec2(found.rect.min));
     if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size)))
         context.ui().frame = FrameRequest::Decision;
@@ -347,19 +330,16 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
 
 void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow) {
     const float em = context.em;
-    const Palette& colors = context.palette;
     const glm::vec2 at = arrow.rect.min + 0.5F * arrow.rect.size;
-    const glm::vec2 way = arrow.arrow.way;
+    const glm::vec2 way = arrow.way;
     const glm::vec2 across(-way.y, way.x);
-    const ImU32 color = toU32(colors.pivot);
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter p(context);
+    const Ink ink = p.ink(&Palette::pivot);
     const glm::vec2 neck = at + kDisc * 0.55F * em * way;
-    list->AddTriangleFilled(toVec2(at + kTip * em * way), toVec2(neck + 0.8F * em * across),
-                            toVec2(neck - 0.8F * em * across), color);
-    list->AddCircleFilled(toVec2(at), kDisc * em,
-                          toU32(arrow.hovered ? colors.panelRaised : colors.background), 32);
-    list->AddCircle(toVec2(at), kDisc * em, color, 32, std::max(1.5F, 0.14F * em));
-    list->AddCircleFilled(toVec2(at), 0.45F * kDisc * em, color);
+    p.polygon({at + kTip * em * way, neck + 0.8F * em * across, neck - 0.8F * em * across}, ink);
+    p.circle(at, kDisc * em, p.ink(arrow.hovered ? &Palette::panelRaised : &Palette::background));
+    p.circle(at, kDisc * em, ink.line(std::max(1.5F, 0.14F * em)));
+    p.circle(at, 0.45F * kDisc * em, ink);
 }
 
 /// Sets a breakpoint on all events of the enclosed points, and marks them.
@@ -496,18 +476,18 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     }
     const Rect& view = context.rects.view;
     const float em = context.em;
-    const Color& color = session.showsBefore() ? context.palette.textDim : context.palette.test;
     const std::string text =
         session.showsEarlierMesh()
             ? "before the change"
             : (session.showsBefore() ? "before " : "after ") + toString(session.address());
-    const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, text.c_str());
+    ScreenPainter p(context);
+    const Type type{em, Typeface::Strong};
+    const glm::vec2 extent = p.textSize(text, type);
     const glm::vec2 at(view.min.x + 0.5F * (view.size.x - extent.x), view.min.y + 0.9F * em);
     const glm::vec2 pad(0.6F * em, 0.25F * em);
-    const Rect place{at - pad, glm::vec2(extent.x, extent.y) + 2.0F * pad};
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, place, context.palette.panel.withAlpha(0.94F), 0.3F * em);
-    list->AddText(context.fonts.strong, em, toVec2(at), toU32(color), text.c_str());
+    const Rect place{at - pad, extent + 2.0F * pad};
+    p.box(place, p.ink(&Palette::panel, 0.94F), 0.3F * em);
+    p.text(at, text, p.ink(session.showsBefore() ? &Palette::textDim : &Palette::test), type);
     return place;
 }
 
@@ -560,12 +540,11 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
 }
 
 void drawLayersButton(const PanelContext& context, const OverButton& button) {
-    const Palette& colors = context.palette;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, button.place, (button.hovered ? colors.panelRaised : colors.panel).withAlpha(0.9F),
-         0.3F * context.em);
-    list->AddText({button.place.min.x + 0.6F * context.em, button.place.min.y + 0.25F * context.em},
-                  toU32(button.hovered ? colors.text : colors.textDim), kLayersTitle);
+    ScreenPainter p(context);
+    p.box(button.place, p.ink(button.hovered ? &Palette::panelRaised : &Palette::panel, 0.9F),
+          0.3F * context.em);
+    p.text(button.place.min + glm::vec2(0.6F, 0.25F) * context.em, kLayersTitle,
+           p.ink(button.hovered ? &Palette::text : &Palette::textDim), {context.em});
 }
 
 /// Overlays of the picture. Each avoids those before it; labels come last, since they find a
