@@ -156,37 +156,6 @@ void drawItem(const PanelContext& context, std::string_view id) {
     nameItem(context, "item " + std::string(id), reason);
 }
 
-/// A submenu of commands.
-void drawItems(const PanelContext& context, const char* title,
-               std::span<const std::string_view> ids) {
-    if (!ImGui::BeginMenu(title)) return;
-    for (const std::string_view id : ids) drawItem(context, id);
-    ImGui::EndMenu();
-}
-
-void drawDirections(const PanelContext& context) {
-    constexpr std::array<std::string_view, 8> kIds = {
-        "view.front", "view.back",   "view.right",    "view.left",
-        "view.top",   "view.bottom", "view.opposite", "view.orthographic"};
-    if (!ImGui::BeginMenu("Direction")) return;
-    for (const std::string_view id : kIds) drawItem(context, id);
-    drawUpAxes(context);
-    ImGui::EndMenu();
-}
-
-void drawLayers(const PanelContext& context) {
-    constexpr std::array<std::string_view, 8> kIds = {
-        "layer.normals", "layer.labels", "layer.edges", "layer.spheres",
-        "layer.links",   "layer.stack",  "view.legend", "view.names"};
-    drawItems(context, "Layers", kIds);
-}
-
-void drawLooks(const PanelContext& context) {
-    constexpr std::array<std::string_view, 5> kIds = {"view.theme", "view.larger", "view.smaller",
-                                                      "view.fullscreen", "view.strips"};
-    drawItems(context, "Window", kIds);
-}
-
 void drawLayouts(const PanelContext& context) {
     drawChoices(context, "Layout", "view.layout.", layoutPresets(), context.ui().layoutPreset);
 }
@@ -213,18 +182,27 @@ void drawTasks(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// One row of a menu: a command, or a submenu; neither: a line between parts.
+/// One row of a menu: a command, or a submenu, drawn by a function or by its rows; neither: a line
+/// between parts.
 struct MenuRow {
     std::string_view id = {};
     void (*submenu)(const PanelContext& context) = nullptr;
-};
-
-struct Menu {
-    const char* title;
-    std::span<const MenuRow> rows;
+    const char* title = nullptr;  ///< Of the submenu of `rows`.
+    std::span<const MenuRow> rows = {};
 };
 
 constexpr MenuRow kLine;
+constexpr std::array kDirections = {
+    MenuRow{"view.front"},    MenuRow{"view.back"},         MenuRow{"view.right"},
+    MenuRow{"view.left"},     MenuRow{"view.top"},          MenuRow{"view.bottom"},
+    MenuRow{"view.opposite"}, MenuRow{"view.orthographic"}, MenuRow{{}, drawUpAxes}};
+constexpr std::array kLayers = {MenuRow{"layer.normals"}, MenuRow{"layer.labels"},
+                                MenuRow{"layer.edges"},   MenuRow{"layer.spheres"},
+                                MenuRow{"layer.links"},   MenuRow{"layer.stack"},
+                                MenuRow{"view.legend"},   MenuRow{"view.names"}};
+constexpr std::array kLooks = {MenuRow{"view.theme"}, MenuRow{"view.larger"},
+                               MenuRow{"view.smaller"}, MenuRow{"view.fullscreen"},
+                               MenuRow{"view.strips"}};
 constexpr std::array kFile = {MenuRow{"file.open"},
                               MenuRow{{}, drawRecent},
                               MenuRow{{}, drawSceneMenu},
@@ -257,13 +235,19 @@ constexpr std::array kRun = {
     MenuRow{"run.break"},   MenuRow{"run.continue"},     MenuRow{"step.alert.next"},
     MenuRow{"ask.why"},     MenuRow{"ask.query"},        kLine,
     MenuRow{"run.compare"}, MenuRow{"run.compare.mesh"}, MenuRow{"run.compare.stop"}};
-constexpr std::array kView = {MenuRow{"view.frame"},       MenuRow{"view.all"},
-                              MenuRow{"view.home"},        MenuRow{"view.follow"},
-                              MenuRow{{}, drawDirections}, kLine,
-                              MenuRow{{}, drawLayers},     MenuRow{{}, drawMeshStyles},
-                              MenuRow{{}, drawPointTints}, kLine,
-                              MenuRow{{}, drawLayouts},    MenuRow{{}, drawTasks},
-                              MenuRow{{}, drawLooks}};
+constexpr std::array kView = {MenuRow{"view.frame"},
+                              MenuRow{"view.all"},
+                              MenuRow{"view.home"},
+                              MenuRow{"view.follow"},
+                              MenuRow{{}, nullptr, "Direction", kDirections},
+                              kLine,
+                              MenuRow{{}, nullptr, "Layers", kLayers},
+                              MenuRow{{}, drawMeshStyles},
+                              MenuRow{{}, drawPointTints},
+                              kLine,
+                              MenuRow{{}, drawLayouts},
+                              MenuRow{{}, drawTasks},
+                              MenuRow{{}, nullptr, "Window", kLooks}};
 constexpr std::array kHelp = {
     MenuRow{"help.guide"},   MenuRow{"help.tour"}, MenuRow{"help.practice"}, kLine,
     MenuRow{"help.palette"}, MenuRow{"help.keys"}, MenuRow{"help.editkeys"}, kLine,
@@ -271,13 +255,19 @@ constexpr std::array kHelp = {
 /// On a phone, above the others: what other windows have beside the menus.
 constexpr std::array kPhone = {MenuRow{"step.goto"}, MenuRow{"view.layers"}, MenuRow{"view.legend"},
                                MenuRow{"notes.show"}, kLine};
-constexpr std::array kMenus = {Menu{"File", kFile}, Menu{"Edit", kEdit}, Menu{"Run", kRun},
-                               Menu{"View", kView}, Menu{"Help", kHelp}};
+constexpr std::array kMenus = {
+    MenuRow{{}, nullptr, "File", kFile}, MenuRow{{}, nullptr, "Edit", kEdit},
+    MenuRow{{}, nullptr, "Run", kRun}, MenuRow{{}, nullptr, "View", kView},
+    MenuRow{{}, nullptr, "Help", kHelp}};
+
+void drawMenu(const PanelContext& context, const char* title, std::span<const MenuRow> rows);
 
 void drawMenuRows(const PanelContext& context, std::span<const MenuRow> rows) {
     for (const MenuRow& row : rows) {
         if (row.submenu != nullptr) {
             row.submenu(context);
+        } else if (row.title != nullptr) {
+            drawMenu(context, row.title, row.rows);
         } else if (row.id.empty()) {
             ImGui::Separator();
         } else {
@@ -286,14 +276,12 @@ void drawMenuRows(const PanelContext& context, std::span<const MenuRow> rows) {
     }
 }
 
-void drawMenus(const PanelContext& context) {
-    for (const Menu& menu : kMenus) {
-        const bool open = ImGui::BeginMenu(menu.title);
-        nameItem(context, std::string("menu ") + menu.title);
-        if (!open) continue;
-        drawMenuRows(context, menu.rows);
-        ImGui::EndMenu();
-    }
+void drawMenu(const PanelContext& context, const char* title, std::span<const MenuRow> rows) {
+    const bool open = ImGui::BeginMenu(title);
+    nameItem(context, std::string("menu ") + title);
+    if (!open) return;
+    drawMenuRows(context, rows);
+    ImGui::EndMenu();
 }
 
 /// Description of the open input, as many whole words of it as fit.
@@ -321,12 +309,12 @@ void drawMenuBar(const PanelContext& context) {
     if (!ImGui::BeginMainMenuBar()) return;
     // In a phone's shape the bar has one menu.
     if (!rects.phone) {
-        drawMenus(context);
+        drawMenuRows(context, kMenus);
     } else if (const bool menu = ImGui::BeginMenu("Menu"); nameItem(context, "menu"), menu) {
         const float between = kFinger * em - ImGui::GetTextLineHeight();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, between});
         drawMenuRows(context, kPhone);
-        drawMenus(context);
+        drawMenuRows(context, kMenus);
         ImGui::PopStyleVar();
         ImGui::EndMenu();
     }
