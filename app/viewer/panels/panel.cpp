@@ -9,11 +9,17 @@
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view {
 
 // ---- the context ----------------------------------------------------------------------------
+
+Moves& PanelContext::pausedMoves() const {
+    playback().pause();
+    return session().moves();
+}
 
 PanelStates& PanelContext::states() const { return commands.ui.states; }
 

@@ -44,6 +44,8 @@ struct PanelContext {
 
     Session& session() const { return commands.session; }
     Playback& playback() const { return commands.playback; }
+    /// The moves of the session, for a jump: playback pauses.
+    Moves& pausedMoves() const;
     Camera& camera() const { return commands.camera; }
     UiState& ui() const { return commands.ui; }
     /// What a panel remembers between frames, of its own type: state<PrepareForm>().

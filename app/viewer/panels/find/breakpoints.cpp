@@ -248,16 +248,13 @@ float rowHeight(const PanelContext& context) {
 
 /// Address and sentence, beside or below each other; hits after the cursor are dim.
 void drawLogRow(const PanelContext& context, const LogRow& row) {
-    Session& session = context.session();
-    const RunPosition here = session.place();
+    const RunPosition here = context.session().place();
     const Palette& palette = context.palette;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     const bool wide = isWide(context);
-    if (ImGui::Selectable("##hit", here == row.hit.place, 0, {0.0F, rowHeight(context)})) {
-        context.playback().pause();
-        session.moves().goTo(row.hit.address);
-    }
+    if (ImGui::Selectable("##hit", here == row.hit.place, 0, {0.0F, rowHeight(context)}))
+        context.pausedMoves().goTo(row.hit.address);
     const std::string& what = row.sentence != nullptr ? *row.sentence : row.breakpoint->line;
     tooltip(what);
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -98,10 +98,8 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
     const float place = (ImGui::GetIO().MousePos.x - at.min.x) / std::max(1.0F, at.size.x - 1.0F);
     const auto pivot = static_cast<std::size_t>(
         std::llround(std::clamp(place, 0.0F, 1.0F) * static_cast<float>(last)));
-    if (ImGui::IsItemActive() && session.record().pivot != pivot) {
-        context.playback().pause();
-        session.moves().goToPivot(static_cast<std::uint32_t>(pivot));
-    }
+    if (ImGui::IsItemActive() && session.record().pivot != pivot)
+        context.pausedMoves().goToPivot(static_cast<std::uint32_t>(pivot));
     if (pivot < series.values.size())
         tooltip("pivot " + grouped(pivot) + ": " + valueText(expression, series.values[pivot]));
 }

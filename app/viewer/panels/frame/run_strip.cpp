@@ -442,8 +442,7 @@ void handleMouse(const RunStrip& strip) {
         if (by != 0.0F) window.pan(-by / strip.bars.size.x);
     } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
                (ImGui::IsItemActivated() || moved)) {
-        strip.context.playback().pause();
-        session.moves().goToPivot(pivot);
+        strip.context.pausedMoves().goToPivot(pivot);
     }
     if (!ImGui::IsItemHovered()) return;
     if (io.MouseWheel != 0.0F) window.zoomAt(share, io.MouseWheel);

@@ -38,7 +38,7 @@ std::string keyOf(const PanelContext& context, std::size_t place) {
 /// One bookmark: its address (a link), the user's note, and a cross that removes it.
 /// True if it is to be removed.
 bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place) {
-    Session& session = context.session();
+    const Session& session = context.session();
     const bool here =
         session.ready() && session.event() != nullptr && session.address() == mark.address;
     ImGui::TableNextRow();
@@ -48,10 +48,7 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0F, 0.5F});
     const bool chosen = ImGui::Selectable(name.c_str(), here, 0, {0.0F, ImGui::GetFrameHeight()});
     ImGui::PopStyleVar();
-    if (chosen) {
-        context.playback().pause();
-        session.moves().goTo(mark.address);
-    }
+    if (chosen) context.pausedMoves().goTo(mark.address);
     ImGui::PopFont();
     const std::string key = keyOf(context, place);
     tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));
@@ -127,10 +124,7 @@ void drawNone(const PanelContext& context, const Rect& bars, const char* text) {
 void offerEvent(const PanelContext& context, const char* id, const Rect& area, std::size_t event) {
     ImGui::SetCursorScreenPos(toVec2(area.min));
     ImGui::PushID(static_cast<int>(event));
-    if (ImGui::InvisibleButton(id, toVec2(area.size))) {
-        context.playback().pause();
-        context.session().moves().goToEvent(event);
-    }
+    if (ImGui::InvisibleButton(id, toVec2(area.size))) context.pausedMoves().goToEvent(event);
     ImGui::PopID();
 }
 

@@ -101,9 +101,8 @@ void drawEntries(const PanelContext& context, const Selection& what) {
     nameItem(context, "menu break");
     if (what.kind == SelectionKind::Point) {
         if (ImGui::MenuItem("Go to its next decision")) {
-            context.playback().pause();
             session.select(what);
-            session.moves().goToPoint(what.points[0]);
+            context.pausedMoves().goToPoint(what.points[0]);
         }
         drawWhatIfs(context, what.points[0]);
     } else if (ImGui::MenuItem("Go to where it was made")) {

@@ -49,8 +49,7 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
 
 /// For a scene that fails: class, decision, the paper's sentence, and the remedy.
 void drawGallery(const PanelContext& context) {
-    Session& session = context.session();
-    const FailureScene* each = galleryScene(session.input().spec().source);
+    const FailureScene* each = galleryScene(context.session().input().spec().source);
     if (each == nullptr) return;
     heading(context, std::string(each->scene.title).c_str(), "scene that fails");
     wrappedText(std::string(each->scene.watch));
@@ -63,10 +62,9 @@ void drawGallery(const PanelContext& context) {
         valueRow(context, "what helps", std::string(each->helps));
         ImGui::EndTable();
     }
-    if (smallButton(context, "Go to " + std::string(each->address), "gallery decision")) {
-        context.playback().pause();
-        if (const auto address = addressFromString(each->address)) session.moves().goTo(*address);
-    }
+    const auto address = addressFromString(each->address);
+    if (smallButton(context, "Go to " + std::string(each->address), "gallery decision") && address)
+        context.pausedMoves().goTo(*address);
     separator();
 }
 

@@ -283,25 +283,18 @@ float stepArrowEnd(const PanelContext& context, const StepRow& row) {
     return (level + kArrow) * context.em;
 }
 
-/// Draws a row that begins at `at`.
-void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
-                 const StepColumns& columns) {
-    RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
-    constexpr std::array kDrawKind = {drawComponent, drawPivot, drawStage, drawTest};
-    static_assert(static_cast<std::size_t>(StepRowKind::Test) + 1 == kDrawKind.size());
-    kDrawKind[static_cast<std::size_t>(row.kind)](context, pen, row);
-}
+/// By StepRowKind.
+constexpr std::array kDrawKind = {drawComponent, drawPivot, drawStage, drawTest};
+static_assert(static_cast<std::size_t>(StepRowKind::Test) + 1 == kDrawKind.size());
 
 void goTo(const PanelContext& context, const StepRow& row) {
-    Session& session = context.session();
-    StepTree& tree = context.state<Navigation>().steps;
-    context.playback().pause();
+    Moves& moves = context.pausedMoves();
     if (row.kind == StepRowKind::Component) {
-        tree.toggle(row);
+        context.state<Navigation>().steps.toggle(row);
     } else if (row.kind == StepRowKind::Pivot) {
-        session.moves().goToPivot(row.pivot);
+        moves.goToPivot(row.pivot);
     } else {
-        session.moves().goToEvent(row.event);
+        moves.goToEvent(row.event);
     }
 }
 
@@ -355,7 +348,8 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
         }
         tooltip(stepRowTooltip(context, row));
     }
-    drawStepRow(context, row, at, columns);
+    RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
+    kDrawKind[static_cast<std::size_t>(row.kind)](context, pen, row);
     const RowAction action = actionOn(context, row, pressed, at.x);
     ImGui::PopID();
     return action;

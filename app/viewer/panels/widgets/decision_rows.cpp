@@ -219,8 +219,7 @@ bool drawPreventing(const PanelContext& context, const FieldValue& change) {
 }
 
 void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame) {
-    context.playback().pause();
-    context.session().moves().goTo(address);
+    context.pausedMoves().goTo(address);
     context.ui().frame = frame;
 }
 
