@@ -32,12 +32,6 @@ constexpr float kFieldColumn = 4.5F;
 constexpr float kAddressEms = 9.0F;
 constexpr float kSpeedEms = 3.5F;
 
-void drawName(const PanelContext& context, const char* name) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", name);
-    ImGui::SameLine(kFieldColumn * context.em);
-}
-
 /// A choice, beside the previous one if there is room. True if it was chosen.
 bool drawChoice(const PanelContext& context, const std::string& label, bool on,
                 const std::string& where, const std::string& tip, bool first) {
@@ -67,7 +61,7 @@ template <typename Form, typename Formats, typename Label, typename Tip>
 void drawFormats(const PanelContext& context, Form& form, const Formats& formats, std::string& name,
                  const std::string& where, Label labelOf, Tip tipOf) {
     form.followName(name);
-    drawName(context, "Format");
+    fieldName(context, "Format", kFieldColumn);
     for (std::size_t i = 0; i < formats.size(); ++i) {
         const std::string label(labelOf(formats[i]));
         if (drawChoice(context, label, form.format == i, where + label,
@@ -78,7 +72,7 @@ void drawFormats(const PanelContext& context, Form& form, const Formats& formats
 
 void drawPoints(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
-    drawName(context, "Points");
+    fieldName(context, "Points", kFieldColumn);
     if (drawChoice(context, "All, in the order of the input", !form.usedOnly, "mesh all points",
                    "Also points in no triangle", true))
         form.usedOnly = false;
@@ -91,7 +85,7 @@ void drawPoints(const PanelContext& context) {
 void drawFields(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
     const bool possible = keepsColumns(form.chosen());
-    drawName(context, "Fields");
+    fieldName(context, "Fields", kFieldColumn);
     ImGui::BeginDisabled(!possible);
     bool on = form.faultFields && possible;
     if (ImGui::Checkbox("Faults and distances of points", &on)) form.faultFields = on;
@@ -178,14 +172,14 @@ void drawField(const PanelContext& context, const std::string& name, const std::
 
 void drawRange(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
-    drawName(context, "From");
+    fieldName(context, "From", kFieldColumn);
     drawField(context, "export from", "First frame: 9, 9.sphere.1 or 50%", "9.sphere.1", form.from);
     ImGui::SameLine();
     ImGui::TextDisabled("to");
     ImGui::SameLine();
     drawField(context, "export to", "Last frame; of a pivot, its last decision", "9.emit.4",
               form.to);
-    drawName(context, "Each");
+    fieldName(context, "Each", kFieldColumn);
     for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
         const std::string name(unitName(unit));
         if (drawChoice(context, name, form.unit == unit, "export " + name,
@@ -199,7 +193,7 @@ void drawFrameOptions(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
     const bool lesson = context.state<LessonPanel>().walk.isOpen();
     if (!lesson && form.frames == ExportFrames::Lesson) form.frames = ExportFrames::Picture;
-    drawName(context, "Frames");
+    fieldName(context, "Frames", kFieldColumn);
     const auto offer = [&](ExportFrames frames, const char* label, const char* where) {
         if (drawChoice(context, label, form.frames == frames, where, "",
                        frames == ExportFrames::Picture))
@@ -211,14 +205,14 @@ void drawFrameOptions(const PanelContext& context) {
     if (lesson) offer(ExportFrames::Lesson, "The lesson", "export lesson");
     if (form.frames == ExportFrames::Range) drawRange(context);
     if (form.frames != ExportFrames::Lesson) return;
-    drawName(context, "Steps");
+    fieldName(context, "Steps", kFieldColumn);
     drawField(context, "export steps", "Numbers of steps, such as 2,4-6; none: all", "all",
               form.steps);
 }
 
 void drawLookOptions(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
-    drawName(context, "Size");
+    fieldName(context, "Size", kFieldColumn);
     drawField(context, "export size", "Width and height in pixels", "1280x800", form.size);
     if (form.hasSpeed()) {
         ImGui::SameLine(0.0F, context.em);

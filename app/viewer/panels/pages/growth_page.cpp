@@ -26,9 +26,7 @@ constexpr float kName = 6.4F;    ///< Width of the names before the fields, in e
 
 /// A dim name before the next item.
 void name(const PanelContext& context, const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", text);
-    ImGui::SameLine(kName * context.em);
+    fieldName(context, text, kName);
     ImGui::SetNextItemWidth(-1.0F);
 }
 

@@ -120,6 +120,12 @@ bool textField(const char* label, const char* hint, std::string& text, ImGuiInpu
                                     flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
 }
 
+void fieldName(const PanelContext& context, const char* name, float x) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(x * context.em);
+}
+
 bool textArea(const char* label, std::string& text, const ImVec2& size) {
     return ImGui::InputTextMultiline(label, text.data(), text.capacity() + 1, size,
                                      ImGuiInputTextFlags_CallbackResize, grow, &text);
@@ -744,9 +750,7 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
 bool drawBoxFields(const PanelContext& context, BoxFields& fields) {
     bool entered = false;
     for (std::size_t row = 0; row < 2; ++row) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("%s", row == 0 ? "from" : "to");
-        ImGui::SameLine(3.0F * context.em);
+        fieldName(context, row == 0 ? "from" : "to", 3.0F);
         const auto texts = std::span(fields).subspan(3 * row, 3);
         entered = drawCoordinates(context, row == 0 ? "low" : "high", texts) || entered;
     }

@@ -65,6 +65,8 @@ inline constexpr ImGuiInputTextFlags kEntered =
 /// text changed, or with ImGuiInputTextFlags_EnterReturnsTrue on Enter.
 bool textField(const char* label, const char* hint, std::string& text,
                ImGuiInputTextFlags flags = 0);
+/// A dim name before the next item, which is at `x` em.
+void fieldName(const PanelContext& context, const char* name, float x);
 /// A text field of many lines without a limit of length. True if the text changed.
 bool textArea(const char* label, std::string& text, const ImVec2& size);
 /// Draws the items of a list, each with an id of its own, and removes the one whose drawing
