@@ -494,14 +494,12 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
     ImGui::PushID(static_cast<int>(number));
     const bool shown = page.region == number;
     if (ImGui::Selectable(text.c_str(), shown)) context.commands.compare.showRegion(number);
-    if (ImGui::IsItemVisible())
-        context.where()["compare region " + std::to_string(number + 1)] = lastItem();
-    tooltip("Show it in the finished meshes.\nFirst made at " +
-            addressOrDash(firstMade(found.runs.a, region.inA)) + " in A, " +
-            addressOrDash(firstMade(found.runs.b, region.inB)) + " in B");
+    if (ImGui::IsItemVisible()) nameItem(context, "compare region " + std::to_string(number + 1));
+    const auto a = firstMade(found.runs.a, region.inA);
+    const auto b = firstMade(found.runs.b, region.inB);
+    tooltip("Show it in the finished meshes.\nFirst made at " + addressOrDash(a) + " in A, " +
+            addressOrDash(b) + " in B");
     if (shown) {
-        const auto a = firstMade(found.runs.a, region.inA);
-        const auto b = firstMade(found.runs.b, region.inB);
         if ((a || b) && ImGui::SmallButton("Where it began")) context.commands.compare.goTo({a, b});
         tooltip("To its first triangle in A (" + addressOrDash(a) + ") and in B (" +
                 addressOrDash(b) + ")");

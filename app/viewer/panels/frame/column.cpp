@@ -145,11 +145,6 @@ void drawLessonMark(const Pen& pen) {
 constexpr std::array<void (*)(const Pen&), kTaskCount> kDraw = {
     drawStep, drawWhy, drawFaults, drawFind, drawChange, drawInput, drawLessonMark};
 
-/// Draws the sign of a task around `center`, `size` pixels high.
-void drawRailIcon(ImDrawList* list, Task task, ImVec2 center, float size, ImU32 color) {
-    kDraw[static_cast<std::size_t>(task)](Pen(list, center, size, color));
-}
-
 /// Size of an entry of the rail, in em.
 constexpr float kEntryHigh = 3.6F;
 constexpr float kSignSize = 1.15F;
@@ -283,7 +278,7 @@ void drawEntry(const PanelContext& context, const TaskRow& row, const Rect& area
     if (here) fill(list, inner, colors.panelRaised, 0.3F * em);
     const Color ink = here ? colors.accent : hovered ? colors.text : colors.textDim;
     const glm::vec2 middle(area.min.x + 0.5F * area.size.x, area.min.y + 1.3F * em);
-    drawRailIcon(list, row.id, toVec2(middle), kSignSize * em, toU32(ink));
+    kDraw[static_cast<std::size_t>(row.id)](Pen(list, toVec2(middle), kSignSize * em, toU32(ink)));
     const float size = kTaskNameSize * em;
     const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, title.c_str()).x;
     list->AddText(context.fonts.text, size,

@@ -209,7 +209,7 @@ std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect>
 std::optional<Rect> drawComponents(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::size_t count = context.drawList.components;
-    const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
+    const std::string title = withS(count, "component");
     const std::size_t named = std::min(count, kNamedColors);
     const float cells = static_cast<float>(named + (count > named ? 1 : 0));
     Plate plate(context, taken, title, cells * 2.0F * em, 1.2F);

@@ -180,9 +180,8 @@ std::string stageSummary(const StageRun& run) {
     std::string text(stageName(run.stage));
     const std::string section(stageSection(run.stage));
     text += section.empty() ? ", a rule beyond the paper\n" : ", section " + section + "\n";
-    if (run.tests == 0) return text + grouped(run.size()) + (run.size() == 1 ? " step" : " steps");
-    text += grouped(run.tests) + (run.tests == 1 ? " test, " : " tests, ");
-    return text + grouped(run.refused) + " refused";
+    if (run.tests == 0) return text + withS(run.size(), "step");
+    return text + withS(run.tests, "test") + ", " + grouped(run.refused) + " refused";
 }
 
 void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect& block,

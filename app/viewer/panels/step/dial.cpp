@@ -11,8 +11,7 @@ namespace se::view {
 namespace {
 
 /// Size of the second disc, in em.
-constexpr float kSecondWide = 6.2F;
-constexpr float kSecondHigh = 6.2F;
+constexpr float kSecond = 6.2F;
 constexpr float kBetween = 0.5F;
 /// Minimum size of the first disc: with less beside it, the second one is below.
 constexpr float kFirstWide = 10.4F;
@@ -44,8 +43,8 @@ DialRooms roomsIn(const Rect& room, const PanelContext& context, bool second) {
     const auto high = [&](float rest) { return std::max(std::min(rest, room.size.x), least); };
     DialRooms rooms{{room.min, {room.size.x, high(room.size.y)}}, std::nullopt, high(room.size.y)};
     if (!hasSecondDisc(context)) return rooms;
-    const glm::vec2 below(kSecondWide * em, kSecondHigh * em);
-    const glm::vec2 beside(kSecondWide * em, std::min(kSecondHigh * em, rooms.height));
+    const glm::vec2 below(kSecond * em);
+    const glm::vec2 beside(kSecond * em, std::min(kSecond * em, rooms.height));
     const float rest = room.size.x - beside.x - kBetween * em;
     if (rest >= kFirstWide * em) {
         rooms.main.size.x = rest;
@@ -88,9 +87,7 @@ void drawDial(const PanelContext& context) {
     const DecisionState& state = session.picture();
     const Dial dial = makeDial(session.shown().points, session.shown().params, state);
     if (dial.empty()) {
-        dimText(session.atEnd() ? "No pivot here: the run is finished."
-                                : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
-        return;
+        return dimText(noPivotText(session));
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = roomOf(context);

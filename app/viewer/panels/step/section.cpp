@@ -206,9 +206,7 @@ void drawSection(const PanelContext& context) {
     const NormalSection& section = sectionHere(context);
     dimText(planeText(section, panel.turnDegrees, session.names()));
     if (section.empty()) {
-        dimText(session.atEnd() ? "No pivot here: the run is finished."
-                                : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
-        return;
+        return dimText(noPivotText(session));
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -384,6 +384,11 @@ std::string withS(std::size_t number, const char* word) {
     return grouped(number) + " " + word + (number == 1 ? "" : "s");
 }
 
+std::string noPivotText(const Session& session) {
+    return session.atEnd() ? "No pivot here: the run is finished."
+                           : "No pivot here. Step forward: F11 or \xE2\x86\x92.";
+}
+
 std::string addressText(const Session& session) {
     return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
 }

@@ -172,6 +172,8 @@ std::vector<std::string> wrapped(const std::string& text, float width);
 std::string_view wordOf(const Event& event);
 /// "1 pivot", "12 pivots".
 std::string withS(std::size_t number, const char* word);
+/// Why there is no pivot at the cursor.
+std::string noPivotText(const Session& session);
 /// "137.sphere.3", or "start".
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
