@@ -506,13 +506,6 @@ std::string listActions() {
     return text;
 }
 
-void runCommand(const Command& command, CommandContext& context) {
-    if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
-    if (context.ui.lesson.hides() && !isAllowedDuringQuestion(command))
-        return context.session.messages().say("Answer the question first, or show its answer.");
-    command.run(context);
-}
-
 std::string_view whyUnavailable(const Command& command, const CommandContext& context) {
     const auto missing = std::find_if(
         kCommandNeeds.begin(), kCommandNeeds.end(),
@@ -544,20 +537,13 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"view.frame", &NewPoints::home},
 });
 
-/// Groups about the run, which does not exist yet.
-constexpr std::array<std::string_view, 5> kAside = {"Run", "Step", "Layers", "Notes", "Edit"};
+/// Beginnings of the ids of those about the run, which does not exist yet.
+constexpr std::array<std::string_view, 15> kAside = {
+    "run.",         "step.",       "lesson.",     "layer.",           "notes.",
+    "edit.",        "view.mesh.",  "view.doctor", "view.breakpoints", "view.watch",
+    "view.layout.", "view.strips", "view.column", "view.legend",      "file.prepare"};
 
-bool isAside(const Command& command) {
-    return std::find(kAside.begin(), kAside.end(), command.group) != kAside.end() ||
-           command.id == "file.prepare" || command.id.starts_with("view.layout.") ||
-           command.id.starts_with("view.mesh.") || command.id == "view.doctor" ||
-           command.id == "view.breakpoints" || command.id == "view.watch" ||
-           command.id == "view.strips" || command.id == "view.column" ||
-           command.id == "view.legend";
-}
-
-}  // namespace
-
+/// Carries out the meaning of `command` on that page. False: it has its usual meaning.
 bool runOnGrowthPage(const Command& command, CommandContext& context) {
     const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
                                     [&](const Meaning& m) { return m.id == command.id; });
@@ -574,16 +560,12 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
         context.ui.growth.complaint = "There is no mesh yet: choose Use these points first.";
         return true;
     }
-    return isAside(command);
+    return std::any_of(kAside.begin(), kAside.end(),
+                       [&](std::string_view id) { return command.id.starts_with(id); });
 }
 
-namespace {
-
-constexpr std::string_view kPanelNote = "Panel";
-constexpr std::string_view kSceneNote = "Scene";
-
 PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
-    return {PaletteEntry::Kind::Scene, scene.title, kSceneNote, synonyms, scene.id, scene.watch};
+    return {PaletteEntry::Kind::Scene, scene.title, "Scene", synonyms, scene.id, scene.watch};
 }
 
 /// Whether a word of the text begins with `start`. Words are letters and digits, separated by all
@@ -620,6 +602,13 @@ Fit fitOf(const PaletteEntry& entry, std::string_view filter, std::span<const st
 
 }  // namespace
 
+void runCommand(const Command& command, CommandContext& context) {
+    if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
+    if (context.ui.lesson.hides() && !isAllowedDuringQuestion(command))
+        return context.session.messages().say("Answer the question first, or show its answer.");
+    command.run(context);
+}
+
 std::vector<PaletteEntry> paletteEntries() {
     std::vector<PaletteEntry> entries;
     for (const Command& each : commands())
@@ -630,7 +619,7 @@ std::vector<PaletteEntry> paletteEntries() {
         const bool known = std::any_of(
             all.begin(), all.end(), [&](const Command& each) { return each.title == part.title; });
         if (!known)
-            entries.push_back({PaletteEntry::Kind::Panel, part.title, kPanelNote, part.synonyms,
+            entries.push_back({PaletteEntry::Kind::Panel, part.title, "Panel", part.synonyms,
                                part.title, "Show this panel."});
     }
     for (const LessonEntry& each : lessonEntries())

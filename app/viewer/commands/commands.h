@@ -21,9 +21,6 @@ std::string_view whyUnavailable(const Command& command, const CommandContext& co
 /// Runs a command, from a key, a menu or the list of actions.
 void runCommand(const Command& command, CommandContext& context);
 
-/// Carries out the meaning of `command` on that page. False: it has its usual meaning.
-bool runOnGrowthPage(const Command& command, CommandContext& context);
-
 // Entries of the command palette: actions, panels, lessons and scenes. No ImGui.
 
 /// One line of the palette.
