@@ -18,6 +18,7 @@ struct StatusCounts;
 
 namespace se::view {
 
+class Moves;
 struct DrawList;
 struct ViewSettings;
 
