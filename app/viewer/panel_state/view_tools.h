@@ -32,6 +32,12 @@ struct EnclosingLine {
     std::vector<glm::vec2> finish();
 };
 
+/// The line around points that get a breakpoint.
+struct BreakLasso {
+    EnclosingLine line = {};
+    bool beside = false;  ///< It is drawn in the other view of the layout Compare.
+};
+
 struct PieceTool {
     bool on = false;
     PieceShape shape = PieceShape::Box;  ///< Of a drag without Shift.

@@ -13,6 +13,31 @@ using test::differing;
 using test::DrivenApp;
 using test::OwnFolder;
 
+TEST_CASE("Compare: a lasso follows the pointer in the view where it began") {
+    for (const char* view : {"region view", "region other view"}) {
+        CAPTURE(view);
+        DrivenApp app({"scene:torus"});
+        if (!app) return;
+        app.press("Ctrl+D");
+        app.clickOn("compare usual");
+        const auto corners = [&] { return app.ui.states.of<BreakLasso>().line.path.size(); };
+        app.holdCtrl(true);
+        const glm::vec2 at = app.in(view, 0.4F, 0.4F);
+        app.moveTo(at);
+        app.hold(0, true);
+        for (const glm::vec2 by : {glm::vec2(80, 0), glm::vec2(80, 80), glm::vec2(0, 80)})
+            app.moveTo(at + by);
+        const std::size_t drawn = corners();
+        CHECK(drawn == 4);
+        app.frames(3);
+        CHECK(corners() == drawn);
+        app.hold(0, false);
+        app.holdCtrl(false);
+        app.settle();
+        CHECK(app["breakpoints"].find("among=") != std::string::npos);
+    }
+}
+
 TEST_CASE("Compare: a click chooses the other run, keys lead through differences and regions") {
     DrivenApp app({"scene:torus"});
     if (!app) return;

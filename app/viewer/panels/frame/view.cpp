@@ -359,14 +359,15 @@ void breakWithin(const PanelContext& context, std::span<const glm::vec2> path) {
 /// Ctrl with a left drag draws a lasso around points; true while it does, and as it ends. To be
 /// called right after the scene's own item.
 bool handleLasso(const PanelContext& context) {
-    EnclosingLine& lasso = context.state<EnclosingLine>();
+    BreakLasso& lasso = context.state<BreakLasso>();
     if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl &&
         ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        lasso.begin(pointerInWindow(), PieceShape::Lasso);
+        lasso.line.begin(pointerInWindow(), PieceShape::Lasso);
+        lasso.beside = context.beside;
         context.playback().pause();
     }
-    if (!lasso.drawing) return false;
-    if (const auto path = followLine(context, lasso)) breakWithin(context, *path);
+    if (!lasso.line.drawing || lasso.beside != context.beside) return false;
+    if (const auto path = followLine(context, lasso.line)) breakWithin(context, *path);
     return true;
 }
 
@@ -585,7 +586,8 @@ void drawWithOverlays(const PanelContext& context) {
     drawFaultPins(context, pins);
     drawForAudience(context);
     drawOver(context, arrow, axes, layers);
-    drawEnclosingLine(context, context.state<EnclosingLine>());
+    if (const auto& lasso = context.state<BreakLasso>(); lasso.beside == context.beside)
+        drawEnclosingLine(context, lasso.line);
     drawSectionPlane(context);
     drawMoveWay(context);
     if (!context.beside) drawEnclosingLine(context, context.state<PieceTool>().line);
