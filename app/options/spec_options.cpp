@@ -18,7 +18,7 @@ void SpecOptions::addTo(CLI::App& app, const SpecField& field) {
     const std::string name(field.option);
     const std::string help(field.help);
     if (field.value.empty())
-        bound.option = app.add_flag(name, help);
+        bound.option = app.add_flag(name, bound.on, help);
     else if (field.repeats)
         bound.option = app.add_option(name, bound.texts, help)->allow_extra_args(false);
     else

@@ -32,6 +32,7 @@ class SpecOptions {
     struct Bound {
         const SpecField* field;
         CLI::Option* option = nullptr;
+        bool on = false;
         std::string text{};
         std::vector<std::string> texts{};
     };

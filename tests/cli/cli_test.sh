@@ -139,6 +139,8 @@ wrong_values_are_wrong_usage() {
     says err "tie=nearest, tie=farthest or tie=both"
     expect 2 run scene:sphere --what-if "5.sphere hold 3"
     says err "is no what-if"
+    expect 2 run scene:sphere --symmetric=much
+    says err "Could not convert: --symmetric = much"
     expect 2 run scene:sphere --neighbors 0
     expect 2 run scene:sphere --neighbors many
     expect 2 run scene:sphere --neighbors -3
