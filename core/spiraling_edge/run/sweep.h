@@ -29,7 +29,7 @@ Index pivotPoint(std::span<const Event> events);
 
 /// One pivot of a run, or one step after the last pivot.
 struct SweptPivot {
-    Index point = kNone;            ///< pivotPoint() of the events.
+    Index point = kNone;            ///< The pivot, also one passed over; kNone: there is none.
     std::span<const Event> events;  ///< All events of the pivot, in order; none if passed over.
     const State& after;             ///< The state after the pivot.
 };

@@ -1,7 +1,8 @@
-/// The ledger by re-running: one run with a log of one pivot at a time, of which only the lines
-/// about the subject are kept: tests between its points, tests that end a fan it would have been
-/// in, and facts about its points. For this the points of the subject that may still become spokes
-/// of the current fan are tracked. O(run), with memory for the answer alone.
+/// The ledger by re-running: one run with a log of one pivot at a time, none of pivots that can
+/// name no point of the subject. Only the lines about the subject are kept: tests between its
+/// points, tests that end a fan it would have been in, and facts about its points. For this the
+/// points of the subject that may still become spokes of the current fan are tracked. O(run), with
+/// memory for the answer alone.
 #include "spiraling_edge/why/ledger.h"
 
 #include <algorithm>
