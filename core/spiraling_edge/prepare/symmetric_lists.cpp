@@ -1,7 +1,8 @@
-/// Each list gets the points that list its point, by counting, and is sorted without repeated
-/// entries, in parallel. O(list entries log longest list).
+/// Each list gets the points that list its point and are not in it yet, by counting, and is sorted,
+/// in parallel. O(list entries times longest list).
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
@@ -96,7 +97,7 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
     if (!forEachWithProgress(n, threads, kPerThread, partOf(progress, 0.0, kMutualDone),
                              findMutual))
         return cancelled;
-    NeighborLists both = withListers(lists, most, mutual);
+    NeighborLists both = withListers(lists, most, std::exchange(mutual, {}));
     std::vector<std::uint32_t> length(n);
     const auto sortRow = [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
