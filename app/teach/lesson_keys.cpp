@@ -51,25 +51,25 @@ std::size_t tokenLength(std::string_view text) {
     return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
 }
 
-/// The first wrong sign outside of strings and comments, with its line of the block; line 0: there
-/// is none. A bracket that closes no bracket of its kind, or that begins the header of a table,
-/// which no block of a lesson has; or a byte beyond ASCII.
-LessonFault strayTomlSign(std::string_view toml) {
+/// The first wrong sign outside of strings and comments; nothing if there is none. A bracket that
+/// closes no bracket of its kind, or that begins the header of a table, which no block of a lesson
+/// has; or a byte beyond ASCII. `line`: of the file, where the text begins.
+std::optional<LessonFault> strayTomlSign(std::string_view toml, std::size_t line) {
     constexpr auto kBracket = "a bracket that does not belong there; a table is written as { ... }";
     constexpr auto kLetter =
         "a letter or sign that does not belong there; texts stand in \"quotation marks\"";
     std::string open;
-    std::size_t line = 1;
     bool startsLine = true;
     while (!toml.empty()) {
         const std::size_t length = tokenLength(toml);
         const std::string_view token = toml.substr(0, length);
-        if (static_cast<unsigned char>(token.front()) > 0x7F) return {line, "", kLetter};
-        if (token == "[" && startsLine && open.empty()) return {line, "", kBracket};
+        if (static_cast<unsigned char>(token.front()) > 0x7F) return LessonFault{line, "", kLetter};
+        if (token == "[" && startsLine && open.empty()) return LessonFault{line, "", kBracket};
         if (token == "[") open += ']';
         if (token == "{") open += '}';
         if (token == "]" || token == "}") {
-            if (open.empty() || open.back() != token.front()) return {line, "", kBracket};
+            if (open.empty() || open.back() != token.front())
+                return LessonFault{line, "", kBracket};
             open.pop_back();
         }
         line += static_cast<std::size_t>(std::count(token.begin(), token.end(), '\n'));
@@ -325,9 +325,9 @@ template <typename Target>
 void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
                std::vector<LessonFault>& faults) {
     target.lines.block = block.line;
-    if (LessonFault stray = strayTomlSign(block.toml); stray.line > 0) {
-        stray.line += block.line;
-        return faults.push_back(std::move(stray));
+    if (auto stray = strayTomlSign(block.toml, block.line + 1)) {
+        faults.push_back(std::move(*stray));
+        return;
     }
     const toml::parse_result parsed = toml::parse(block.toml);
     if (!parsed) {
