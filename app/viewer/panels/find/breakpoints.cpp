@@ -72,7 +72,7 @@ struct RowFit {
 };
 
 RowFit rowFit(const PanelContext& context) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float gap = 2.0F * ImGui::GetStyle().CellPadding.x;
     const float em = context.em;
     const float button = kButton * em + gap;
     // Constant, so that the row does not move while hits are counted.

@@ -139,8 +139,10 @@ void drawChart(const PanelContext& context, const RunChart& chart) {
     ImGui::Spacing();
     heading(context, std::string(chart.title).c_str(), std::string(chart.unit));
     if (chart.bars.empty()) return dimText("There are none.");
+    // A row is as high as its highlight.
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.3F * context.em, 0.06F * context.em});
-    if (!ImGui::BeginTable(chart.name.data(), 3)) return ImGui::PopStyleVar();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.12F * context.em});
+    if (!ImGui::BeginTable(chart.name.data(), 3)) return ImGui::PopStyleVar(2);
     float label = 0.0F;
     float count = 0.0F;
     std::uint64_t most = 1;
@@ -154,7 +156,7 @@ void drawChart(const PanelContext& context, const RunChart& chart) {
     ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, count);
     for (const ChartBar& bar : chart.bars) drawBar(context, chart, bar, most);
     ImGui::EndTable();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void drawRunCharts(const PanelContext& context) {
