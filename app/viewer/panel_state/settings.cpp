@@ -301,8 +301,14 @@ Status writeSettings(const fs::path& path, const ViewSettings& before,
 }
 
 void remember(KeptState& state, const std::string& path) {
-    if (path.empty() || isScene(path) || (isSample(path) && !sampleFromSource(path))) return;
-    const std::string whole = movedSource(path, absolutePath);
+    if (path.empty() || isScene(path)) return;
+    std::string source = path;
+    if (isSample(path)) {
+        const Result<SampleSpec> spec = sampleFromSource(path);
+        if (!spec) return;
+        source = sampleSource(spec.value());
+    }
+    const std::string whole = movedSource(source, absolutePath);
     std::vector<std::string>& list = state.recent;
     std::erase(list, whole);
     list.insert(list.begin(), whole);
