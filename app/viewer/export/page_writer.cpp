@@ -85,11 +85,20 @@ std::string imageText(const TextBlock& block, const PageLinks& links) {
 }
 
 std::string_view tagOf(TextBlockKind kind) {
-    return kind == TextBlockKind::Heading ? "h3"
-           : kind == TextBlockKind::Code  ? "pre"
-           : kind == TextBlockKind::Quote ? "blockquote"
-           : kind == TextBlockKind::Item  ? "li"
-                                          : "p";
+    switch (kind) {
+        case TextBlockKind::Heading:
+            return "h3";
+        case TextBlockKind::Code:
+            return "pre";
+        case TextBlockKind::Quote:
+            return "blockquote";
+        case TextBlockKind::Item:
+            return "li";
+        case TextBlockKind::Paragraph:
+        case TextBlockKind::Image:
+            break;
+    }
+    return "p";
 }
 
 }  // namespace

@@ -170,9 +170,16 @@ void Questions::requestCharts() {
 Subject toSubject(const Selection& what) {
     assert(what.kind != SelectionKind::None);
     const auto& p = what.points;
-    return what.kind == SelectionKind::Edge       ? Subject::edge(p[0], p[1])
-           : what.kind == SelectionKind::Triangle ? Subject::triangle(p[0], p[1], p[2])
-                                                  : Subject::point(p[0]);
+    switch (what.kind) {
+        case SelectionKind::Edge:
+            return Subject::edge(p[0], p[1]);
+        case SelectionKind::Triangle:
+            return Subject::triangle(p[0], p[1], p[2]);
+        case SelectionKind::None:
+        case SelectionKind::Point:
+            break;
+    }
+    return Subject::point(p[0]);
 }
 
 namespace {

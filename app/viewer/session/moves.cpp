@@ -443,16 +443,22 @@ void Moves::processMoves() {
 }
 
 void Moves::perform(Move move) {
-    if (move.kind == Move::Kind::Events) return performEvents(move.delta);
-    if (move.kind == Move::Kind::Pivots) return performPivots(move.delta);
-    if (move.kind == Move::Kind::Point) return performPoint(move.point);
-    if (move.kind == Move::Kind::Go) {
-        const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
-        request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
-    } else if (session_.cursor() + 1 < record().events.size()) {
-        session_.setCursor(record().events.size() - 1);
-    } else if (!session_.atLastPivot()) {
-        request(record().pivot + 1, Landing::Last);
+    switch (move.kind) {
+        case Move::Kind::Events:
+            return performEvents(move.delta);
+        case Move::Kind::Pivots:
+            return performPivots(move.delta);
+        case Move::Kind::Point:
+            return performPoint(move.point);
+        case Move::Kind::Finish:
+            if (session_.cursor() + 1 < record().events.size())
+                return session_.setCursor(record().events.size() - 1);
+            if (!session_.atLastPivot()) request(record().pivot + 1, Landing::Last);
+            return;
+        case Move::Kind::Go:
+            const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
+            return request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress,
+                           move.target);
     }
 }
 
