@@ -1,6 +1,6 @@
+#include "session/session_input.h"
 #include "open_session.h"
 #include "run/model.h"
-#include "session/session_input.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "teach/file_bytes.h"
 
@@ -33,6 +33,7 @@ TEST_CASE("An opened input comes once, with the start of its run") {
     CHECK(answer->final);
     CHECK(answer->record->pivot == 0);
     CHECK_FALSE(input.take().has_value());
+    CHECK(input.loadShare() == 0.0);
 }
 
 TEST_CASE("A scene that begins in the middle of a run opens there, or not at all without a point") {
@@ -73,6 +74,7 @@ TEST_CASE("A cancelled opening is not waited for") {
     SessionInput input;
     input.open(scene("scene:torus"));
     input.cancel();
+    CHECK(input.loadShare() == 0.0);
     input.waitUntilDone();
     CHECK_FALSE(input.take().has_value());
 }
