@@ -83,7 +83,7 @@ void Document::aimAt(const LinkOptions& named) {
     if (named.camera) arrival_.camera = named.camera;
     arrival_.stateHash = named.stateHash;
     if (named.goTo.empty() && named.alert.empty() && !named.camera && !named.session &&
-        !(named.atDifference && with_))
+        !named.atDifference)
         aimAtScene(named.input.source);
 }
 
