@@ -34,8 +34,8 @@ struct RunOutcome {
     std::optional<Trials> trials;  ///< Of --best.
     Params params;
     PrepareReport prepared;
-    JudgedMesh
-        judged;  ///< Empty if faults were not searched; without a judge the inspection alone.
+    /// Empty if faults were not searched; without a judge the inspection alone.
+    JudgedMesh judged;
     /// Null: intersecting triangles and second layers were not searched.
     std::shared_ptr<const MeshJudge> judge;
     State state;

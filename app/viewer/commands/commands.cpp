@@ -543,7 +543,8 @@ constexpr std::array<std::string_view, 15> kAside = {
     "edit.",        "view.mesh.",  "view.doctor", "view.breakpoints", "view.watch",
     "view.layout.", "view.strips", "view.column", "view.legend",      "file.prepare"};
 
-/// Carries out the meaning of `command` on that page. False: it has its usual meaning.
+/// Carries out the meaning of `command` on the page with new points. False: it has its usual
+/// meaning.
 bool runOnGrowthPage(const Command& command, CommandContext& context) {
     const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
                                     [&](const Meaning& m) { return m.id == command.id; });

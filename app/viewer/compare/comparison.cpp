@@ -277,7 +277,8 @@ Status compareWithTrace(Compared& found, const std::string& path, const Progress
     return success();
 }
 
-/// `compareWith` finds what is compared: a run `b`, or a file.
+/// The comparison of a run `a` with a run `b`, or with a file: `compareWith` makes the meshes and
+/// compares the decisions.
 Result<std::shared_ptr<const Compared>> compare(
     const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b,
     const std::function<Status(Compared& found)>& compareWith) {

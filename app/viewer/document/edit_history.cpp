@@ -166,7 +166,6 @@ void EditHistory::observe(bool changing) {
                    changing || c_.ui.cameraMove.active());
 }
 
-/// An input is being opened: says so.
 void EditHistory::undo() { go(&UndoStack::undo, "Undone: ", "There is nothing to undo."); }
 
 void EditHistory::redo() { go(&UndoStack::redo, "Redone: ", "There is nothing to redo."); }

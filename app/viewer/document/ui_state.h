@@ -68,7 +68,7 @@ struct HostFiles {
     bool apart() const { return static_cast<bool>(pick); }
 };
 
-// The question before unsaved work is left. Plain values.
+// The question before unsaved work is left.
 
 enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
 enum class LeaveAnswer : std::uint8_t { Save, Discard, Cancel };
@@ -76,8 +76,8 @@ enum class LeaveAnswer : std::uint8_t { Save, Discard, Cancel };
 /// Destination after the question.
 struct Leave {
     LeaveFor what = LeaveFor::Quit;
-    std::function<void()> go = nullptr;
-    bool keeps = false;  ///< The open input stays open, and nothing is lost.
+    std::function<void()> go = nullptr;  ///< Leaves; called between frames.
+    bool keeps = false;                  ///< The open input stays open, and nothing is lost.
 };
 
 /// The question, while it is open.

@@ -29,7 +29,7 @@ inline constexpr double kMostPerSecond = 60.0;
 struct FrameRange {
     std::string from;
     std::string to;
-    PlayUnit unit = PlayUnit::SubStep;  ///< Distance of two frames.
+    PlayUnit unit = PlayUnit::SubStep;  ///< From frame to frame; of Pivot the end of each.
 };
 /// The range of all decisions of the pivot of an address. Fails if it is no address.
 Result<FrameRange> rangeAround(const std::string& address);

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
-#include <vector>
 
 #include "run/selection.h"
 

@@ -89,7 +89,6 @@ class Batch {
 /// where storage is new, which holds whatever the memory held before.
 void beginNew(unsigned frame, const glm::vec4& color);
 
-/// An off-screen picture with depth.
 /// The samples of a buffer: `wanted`, or fewer where the graphics card has no more.
 int samplesOf(int wanted);
 /// A buffer of that size as a part of the bound frame.
@@ -100,6 +99,7 @@ void allocateTexture(unsigned texture, unsigned format, glm::ivec2 size, unsigne
 /// Draws go to that part of a frame of that size.
 void aimAt(unsigned frame, glm::ivec2 size, const PixelRect& rect);
 
+/// An off-screen picture with depth.
 class Target {
   public:
     /// As many samples per pixel as available, up to `samples`.

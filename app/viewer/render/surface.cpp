@@ -134,8 +134,8 @@ void drawTriangles(DrawPacer& pacer, BlockBounds::Range range, const Color& c) {
     pacer.drawTriangles(range.first, range.second);
 }
 
-/// Draws them, each stretch in its color.
-void drawStretches(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range) {
+/// Draws a range of the finished triangles, each stretch in its color.
+void drawInColors(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range) {
     const auto& stretches = list.meshStretches;
     const std::size_t plain = stretches.empty() ? range.second : stretches.front().first;
     drawTriangles(pacer, {range.first, std::min(range.second, plain)}, list.meshColor);
@@ -407,7 +407,7 @@ void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
     const BlockBounds& blocks = repaired ? repairedBounds_ : meshBounds_;
     DrawPacer pacer;
     for (const auto& range : blocks.within(view.camera, view.size, view.rect, meshCount(list)))
-        view::drawStretches(pacer, list, range);
+        drawInColors(pacer, list, range);
 }
 
 /// Drawn over the finished triangles, at exactly the same depth.

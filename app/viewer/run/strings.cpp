@@ -11,14 +11,6 @@
 
 namespace se::view {
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
-}
-
 std::string trimmed(std::string_view text, std::string_view signs) {
     const std::size_t from = text.find_first_not_of(signs);
     if (from == std::string_view::npos) return {};

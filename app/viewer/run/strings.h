@@ -12,13 +12,12 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 
-/// Lower case of A to Z; all other bytes unchanged.
-std::string lowerCase(std::string_view text);
 /// Text without these signs at both ends, by default spaces and tabs.
 std::string trimmed(std::string_view text, std::string_view signs = " \t");
 /// With ends of lines.

@@ -145,11 +145,12 @@ class Projector {
     }
 
   private:
-    const CameraMatrices& camera_;
+    CameraMatrices camera_;
     glm::vec2 size_;
     glm::mat4 toClip_;
 };
 
+/// The pixel (y down) and depth of a position, as of a Projector.
 inline glm::vec3 project(const CameraMatrices& camera, const glm::vec3& place, glm::vec2 size) {
     return Projector(camera, size)(place);
 }

@@ -134,6 +134,8 @@ struct MeshLooks {
 };
 
 struct DrawList : MeshLooks {
+    bool operator==(const DrawList&) const = delete;  // It would compare the looks alone.
+
     /// The layers, in drawing order; the things of each end where those of the next begin.
     std::vector<LayerStart> layers;
 

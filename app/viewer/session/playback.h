@@ -12,9 +12,9 @@
 namespace se::view {
 
 enum class PlayUnit : std::uint8_t {
-    SubStep,
-    Pivot,
-    Event,  ///< To the next split, join, seed or alert.
+    SubStep,  ///< To the next decision.
+    Pivot,    ///< To the end of the next pivot.
+    Event,    ///< To the next split, join, seed or alert.
 };
 
 /// Names of the units, in their order.

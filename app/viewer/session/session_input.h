@@ -85,6 +85,7 @@ class SessionInput {
     /// Opens the same input under other rules or with other what-ifs; points that stay the same are
     /// not prepared again. Fails if a new what-if is refused.
     void rerun(const RunSpec& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
+    /// Cancels an opening in progress: what is open stays.
     void cancel();
     /// Returns to the input that was open before, or to none.
     void dismiss(bool ready) { phase_ = ready ? SessionPhase::Ready : SessionPhase::Empty; }

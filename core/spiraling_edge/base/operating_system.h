@@ -60,6 +60,11 @@ void writeToStandardError(std::string_view bytes);
 bool sync(int descriptor);
 /// Closes a descriptor. False if what was written may be lost.
 bool close(int descriptor);
+/// The size of a regular file; 0 for other sources.
+std::uint64_t sizeOf(int descriptor);
+/// Sets the permission bits, regardless of the umask. A failure is ignored.
+void setMode(int descriptor, unsigned mode);
+
 /// Closes a descriptor at its end, if opening succeeded.
 class Closing {
   public:
@@ -73,10 +78,6 @@ class Closing {
   private:
     int descriptor_;
 };
-/// The size of a regular file; 0 for other sources.
-std::uint64_t sizeOf(int descriptor);
-/// Sets the permission bits, regardless of the umask. A failure is ignored.
-void setMode(int descriptor, unsigned mode);
 
 /// Removes a file. May be called in a handler of signals.
 void removeFile(const char* path);

@@ -487,7 +487,7 @@ void drawFold(const PanelContext& context, const Rect& area) {
     if (hovered) p.box(square, p.ink(&Palette::panelRaised), 0.2F * em);
     const Ink ink = p.ink(hovered ? &Palette::text : &Palette::textDim).line(p.px(0.12F));
     p.line(tip + glm::vec2(-side.x, 2.0F * side.y), tip, ink);
-    p.line(tip, tip + 2.0F * side - glm::vec2(side.x, 0.0F), ink);
+    p.line(tip, tip + glm::vec2(side.x, 2.0F * side.y), ink);
 }
 
 }  // namespace

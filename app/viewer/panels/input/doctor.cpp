@@ -149,7 +149,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     wrappedIn(context.fonts.mono, command);
 }
 
-/// std::vector<std::string> that were applied to the input, and a button to undo them.
+/// The fixes that were applied to the input, and a button to undo them.
 void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
     if (session.input().spec().fixes.empty()) return;

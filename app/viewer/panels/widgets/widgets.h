@@ -121,6 +121,7 @@ struct CommandButton {
     const char* command;
     const char* text;
 };
+/// Draws it, filled if `active`, with a tooltip: its text, its keys and `help`.
 void drawCommandButton(const PanelContext& context, const CommandButton& button,
                        const std::string& help, bool enabled, bool active = false,
                        ImVec2 size = {0.0F, 0.0F});
@@ -136,6 +137,7 @@ void takeKeyboardHere();
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
+/// The same in another font.
 void wrappedIn(ImFont* font, const std::string& text);
 /// The text with those line breaks, for other items.
 std::string withBreaks(const std::string& text, float width = 0.0F);
