@@ -93,7 +93,7 @@ Status goToLast(RunCursor& cursor, const std::string& place) {
 }
 
 /// Adds the points that a decision is about.
-void addPoints(const DecisionState& state, std::set<Index>& points) {
+void addPointsOf(const DecisionState& state, std::set<Index>& points) {
     points.insert({state.pivot, state.first, state.last, state.start, state.end, state.nextPivot,
                    state.underTest});
     for (const CandidateMark& each : state.candidates) points.insert(each.point);
@@ -118,7 +118,7 @@ Result<FramePlan> planFrames(const Model& model, const FrameRange& range) {
                 return Error{"over " + std::to_string(kMaxFrames) +
                              " frames; choose a shorter range, or --unit pivot"};
             plan.places.push_back(event != nullptr ? toString(event->address) : "");
-            addPoints(cursor.state(), points);
+            addPointsOf(cursor.state(), points);
             pivots.insert(cursor.state().pivot);
         }
         const bool there = event == nullptr ? toStart : event->address == last;
