@@ -22,11 +22,10 @@ TEST_CASE("Compare: a lasso follows the pointer in the view where it began") {
         app.clickOn("compare usual");
         const auto corners = [&] { return app.ui.states.of<BreakLasso>().line.path.size(); };
         app.holdCtrl(true);
-        const glm::vec2 at = app.in(view, 0.4F, 0.4F);
-        app.moveTo(at);
+        app.moveTo(app.in(view, 0.2F, 0.2F));
         app.hold(0, true);
-        for (const glm::vec2 by : {glm::vec2(80, 0), glm::vec2(80, 80), glm::vec2(0, 80)})
-            app.moveTo(at + by);
+        for (const glm::vec2 at : {glm::vec2(0.8F, 0.2F), glm::vec2(0.8F), glm::vec2(0.2F, 0.8F)})
+            app.moveTo(app.in(view, at.x, at.y));
         const std::size_t drawn = corners();
         CHECK(drawn == 4);
         app.frames(3);
