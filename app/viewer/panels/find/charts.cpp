@@ -125,12 +125,13 @@ void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar&
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     const float share = static_cast<float>(bar.count) / static_cast<float>(most);
-    // Any count above zero is visible, however small.
-    const float width =
-        bar.count == 0 ? 0.0F : std::max(0.12F * em, share * ImGui::GetContentRegionAvail().x);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.18F * height},
-                                              {at.x + width, at.y + 0.86F * height},
-                                              toU32(context.palette.accent), 0.1F * em);
+    // Any count above zero is visible, however small, and zero is not: a corner that is round has
+    // a width.
+    const float width = std::max(0.12F * em, share * ImGui::GetContentRegionAvail().x);
+    if (bar.count > 0)
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.18F * height},
+                                                  {at.x + width, at.y + 0.86F * height},
+                                                  toU32(context.palette.accent), 0.1F * em);
     ImGui::TableNextColumn();
     textAtRight(grouped(bar.count), context.palette.textDim);
 }
