@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 
@@ -90,8 +91,7 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
         const auto p = static_cast<Index>(i);
         std::size_t entry = lists.offset[p];
         for (const Index q : firstOf(lists, p, most)) {
-            const auto back = firstOf(lists, q, most);
-            mutual[entry++] = std::find(back.begin(), back.end(), p) != back.end() ? 1 : 0;
+            mutual[entry++] = isAmong(p, firstOf(lists, q, most)) ? 1 : 0;
         }
     };
     if (!forEachWithProgress(n, threads, kPerThread, partOf(progress, 0.0, kMutualDone),

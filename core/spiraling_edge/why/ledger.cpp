@@ -508,11 +508,10 @@ bool mayName(const PointSet& points, const Params& params, const Subject& subjec
         params.whatIf.begin(), params.whatIf.end(),
         [&](const WhatIf& each) { return each.kind == WhatIfKind::List && each.point == pivot; });
     if (hasOwnList) return true;
-    const auto list = points.neighbors[pivot];
     const RimGap gap = points.gapAt(pivot);
     const auto isNear = [&](Index p) {
         return p == pivot || before.status[p] > kUnused || p == gap.from || p == gap.to ||
-               std::find(list.begin(), list.end(), p) != list.end();
+               points.neighbors.has(pivot, p);
     };
     return std::any_of(subject.points().begin(), subject.points().end(), isNear);
 }
