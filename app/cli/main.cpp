@@ -10,10 +10,10 @@
 #include "options/option_list.h"
 #include "output/output.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/operating_system.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "teach/find_named.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -138,7 +138,7 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
     const std::string& word = arguments.front();
     std::error_code ignored;
     if (std::filesystem::exists(word, ignored) || word.starts_with("scene:"))
-        return teach::findNamed(kVerbs, "view")->run(arguments);
+        return findNamed(kVerbs, "view")->run(arguments);
     if (word.starts_with("-")) refuse("{}: no such option; see spiraling-edge --help", word);
     if (word.find_first_of("./") != std::string::npos)
         throw Failure(ExitCode::Input, word + ": no such file");
@@ -155,7 +155,7 @@ ExitCode dispatch(const Arguments& arguments) {
         printOptionLists();
         return ExitCode::Good;
     }
-    const Verb* second = arguments.size() > 1 ? teach::findNamed(kVerbs, arguments[1]) : nullptr;
+    const Verb* second = arguments.size() > 1 ? findNamed(kVerbs, arguments[1]) : nullptr;
     if (word == "help" && second != nullptr) return second->run({"--help"});
     if (word == "-h" || word == "--help" || word == "help") {
         printText(helpText());
@@ -165,7 +165,7 @@ ExitCode dispatch(const Arguments& arguments) {
         printText(fmt::format("spiraling-edge {}\n", SPIRALING_EDGE_VERSION));
         return ExitCode::Good;
     }
-    if (const Verb* verb = teach::findNamed(kVerbs, word))
+    if (const Verb* verb = findNamed(kVerbs, word))
         return verb->run(Arguments(arguments.begin() + 1, arguments.end()));
     return runWithoutVerb(arguments);
 }

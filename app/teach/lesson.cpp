@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "find_named.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/scenes/figures.h"

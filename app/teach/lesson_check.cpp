@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "find_named.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"

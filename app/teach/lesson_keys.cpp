@@ -13,10 +13,10 @@
 #include <string>
 #include <string_view>
 
-#include "find_named.h"
 #include "json_text.h"
 #include "lesson.h"
 #include "question.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cassert>
 
-#include "find_named.h"
 #include "lesson.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"

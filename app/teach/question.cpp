@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "find_named.h"
 #include "lesson.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/reading.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
-#include "teach/find_named.h"
 #include "teach/json_text.h"
 
 namespace se::teach {

@@ -1,7 +1,7 @@
 // spiraling-edge diff: the trace of another implementation beside the run of this one.
 #include "input.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/prepare/prepare.h"
-#include "teach/find_named.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
 
@@ -30,7 +30,7 @@ struct DiffArguments : AnswerOptions {
     /// Throws Failure(Usage) if there is no stage of that name.
     std::optional<TraceStage> upto() const {
         if (stage.empty()) return std::nullopt;
-        if (const auto* row = teach::findNamed(teach::traceStages(), stage)) return row->id;
+        if (const auto* row = findNamed(teach::traceStages(), stage)) return row->id;
         refuse("--upto {}: no such stage; see spiraling-edge diff --help", stage);
     }
 };

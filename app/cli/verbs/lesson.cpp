@@ -9,11 +9,11 @@
 #include "input.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/gzip.h"
 #include "teach/embedded_lessons.h"
-#include "teach/find_named.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_runs.h"
@@ -275,7 +275,7 @@ ExitCode lessonVerb(CLI::App& app, const Arguments& words) {
     LessonArguments arguments;
     addLessonOptions(app, arguments);
     if (const auto code = parseArguments(app, words)) return *code;
-    const LessonAction* action = teach::findNamed(kLessonActions, arguments.action);
+    const LessonAction* action = findNamed(kLessonActions, arguments.action);
     if (action == nullptr) {
         refuse("{}: expected list, show, check, new or results; see spiraling-edge lesson --help",
                arguments.action);

@@ -9,9 +9,9 @@
 #include <filesystem>
 
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "teach/file_bytes.h"
-#include "teach/find_named.h"
 #include "teach/json_text.h"
 
 namespace se::teach {

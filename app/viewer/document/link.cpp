@@ -12,6 +12,7 @@
 #include "run/packed_file.h"
 #include "run/sample_spec.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -19,7 +20,6 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/spec_fields.h"
 #include "teach/embedded_lessons.h"
-#include "teach/find_named.h"
 #include "teach/practice.h"
 
 namespace se::view {
@@ -443,7 +443,7 @@ Status readPair(LinkReading& reading, std::string_view pair) {
     const Result<std::string> value =
         decoded(equals < pair.size() ? pair.substr(equals + 1) : std::string_view{});
     if (!value) return value.error();
-    if (const LinkPart* part = teach::findNamed(kLinkParts, name.value()))
+    if (const LinkPart* part = findNamed(kLinkParts, name.value()))
         return readPart(reading, *part, value.value());
     if (const SpecField* field = fieldFor(name.value(), value.value()))
         return readField(reading, *field, value.value());
@@ -486,8 +486,7 @@ bool isLink(std::string_view given) {
     if (hash == std::string_view::npos) return false;
     const std::string_view parts = std::string_view(text).substr(hash + 1);
     const std::string_view name = parts.substr(0, parts.find_first_of("=&"));
-    return hash == 0 || teach::findNamed(kLinkParts, name) != nullptr ||
-           findSpecField(name) != nullptr;
+    return hash == 0 || findNamed(kLinkParts, name) != nullptr || findSpecField(name) != nullptr;
 }
 
 Result<Options> optionsFromLink(std::string_view given) {

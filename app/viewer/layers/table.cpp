@@ -6,9 +6,9 @@
 
 #include "layer.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
-#include "teach/find_named.h"
 
 namespace se::view {
 
@@ -136,7 +136,7 @@ ReadLayers layersFromJson(const json& object) {
         return read;
     }
     for (const auto& [name, value] : object.items()) {
-        const Layer* layer = teach::findNamed(layers(), name);
+        const Layer* layer = findNamed(layers(), name);
         if (layer == nullptr) {
             read.unknown.push_back("layer " + inQuotes(name));
         } else if (const auto mode = modeFrom(value, *layer)) {

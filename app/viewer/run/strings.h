@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/points/wall_types.h"
@@ -22,13 +23,6 @@ namespace se::view {
 std::string trimmed(std::string_view text, std::string_view signs = " \t");
 /// With ends of lines.
 inline constexpr std::string_view kBlanks = " \t\r\n";
-/// The value of an enumeration by its name in a list of all; nothing for another name.
-template <typename Id, typename Names>
-std::optional<Id> idNamed(const Names& names, std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? std::nullopt
-                                : std::optional(static_cast<Id>(found - names.begin()));
-}
 /// Text formatted as by printf; at most 119 bytes.
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.

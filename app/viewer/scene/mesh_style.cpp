@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "teach/find_named.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -25,7 +25,7 @@ constexpr std::array<PointTintRow, 2> kTints = {{
 
 template <typename Id, std::size_t N>
 std::optional<Id> idOf(const std::array<StyleRow<Id>, N>& rows, std::string_view name) {
-    const StyleRow<Id>* row = teach::findNamed(rows, name);
+    const StyleRow<Id>* row = findNamed(rows, name);
     return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 

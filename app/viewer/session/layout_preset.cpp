@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "teach/find_named.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -26,7 +26,7 @@ const LayoutPresetRow& rowOf(LayoutPreset layoutPreset) {
 
 std::optional<LayoutPreset> layoutPresetFromName(std::string_view name) {
     if (opensLessons(name)) return LayoutPreset::Debug;
-    const LayoutPresetRow* row = teach::findNamed(kLayoutPresets, name);
+    const LayoutPresetRow* row = findNamed(kLayoutPresets, name);
     return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 

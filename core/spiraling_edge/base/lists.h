@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace se {
@@ -25,6 +27,20 @@ template <typename Rows, typename Test>
 auto rowWhere(const Rows& rows, Test&& test) -> decltype(&*std::begin(rows)) {
     const auto found = std::find_if(std::begin(rows), std::end(rows), test);
     return found == std::end(rows) ? nullptr : &*found;
+}
+
+/// The row with that `name`; null if there is none.
+template <typename Rows>
+auto findNamed(const Rows& rows, std::string_view name) -> decltype(&*std::begin(rows)) {
+    return rowWhere(rows, [&](const auto& row) { return row.name == name; });
+}
+
+/// The value of an enumeration by its name, of all names in order; nothing for another name.
+template <typename Id, typename Names>
+std::optional<Id> idNamed(const Names& names, std::string_view name) {
+    const auto found = std::find(std::begin(names), std::end(names), name);
+    if (found == std::end(names)) return std::nullopt;
+    return static_cast<Id>(found - std::begin(names));
 }
 
 /// Puts the values in order, each once.

@@ -191,9 +191,7 @@ std::string_view severityName(Severity severity) {
 
 std::span<const DoctorCheck> doctorChecks() { return kChecks; }
 
-const DoctorCheck* findDoctorCheck(std::string_view name) {
-    return rowWhere(kChecks, [&](const DoctorCheck& check) { return check.name == name; });
-}
+const DoctorCheck* findDoctorCheck(std::string_view name) { return findNamed(kChecks, name); }
 
 namespace {
 

@@ -3,7 +3,6 @@
 /// that passes checkWritable().
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/read_points.h"
 
@@ -115,10 +115,9 @@ inline bool parseVector(Fields& fields, Vec3& vector) {
 /// Sets `value` to the enumerator whose name is `word`, of all names in order.
 template <typename Names, typename Enum>
 bool parseName(const Names& names, std::string_view word, Enum& value) {
-    const auto found = std::find(names.begin(), names.end(), word);
-    if (found == names.end()) return false;
-    value = static_cast<Enum>(found - names.begin());
-    return true;
+    const auto found = idNamed<Enum>(names, word);
+    if (found) value = *found;
+    return found.has_value();
 }
 
 /// The problem of a file. A member of a reader that returns false has set it.

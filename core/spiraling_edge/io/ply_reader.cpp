@@ -47,7 +47,7 @@ struct PlyHeader {
 };
 
 const PlyElement* findElement(const PlyHeader& header, std::string_view name) {
-    return rowWhere(header.elements, [&](const PlyElement& each) { return each.name == name; });
+    return findNamed(header.elements, name);
 }
 
 /// The other names of types than kTypeNames, by ScalarType.
@@ -140,7 +140,7 @@ class HeaderReader : LineByLine {
         property.name = fields.next();
         if (property.name.empty()) return fail("the property has no name");
         std::vector<PlyProperty>& known = header_.elements.back().properties;
-        if (rowWhere(known, [&](const PlyProperty& p) { return p.name == property.name; }))
+        if (findNamed(known, property.name))
             return fail("property " + inQuotes(property.name) + " is announced twice");
         known.push_back(std::move(property));
         return true;

@@ -533,7 +533,7 @@ std::span<const FailureClass> failureClasses() { return kClasses; }
 const FailureClass* findFailureClass(std::string_view name) {
     // Sessions, lessons and queries of version 0.2 name it so.
     if (name == "unused_points") name = "lost_points";
-    return rowWhere(kClasses, [&](const FailureClass& c) { return c.name == name; });
+    return findNamed(kClasses, name);
 }
 
 std::string describe(const MeshFailure& failure) {
