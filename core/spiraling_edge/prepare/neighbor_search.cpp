@@ -12,6 +12,7 @@
 #include <numeric>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/rank_sort.h"
@@ -268,8 +269,14 @@ class RangeSearch {
         GroupSearch search(blocks_, normal, rule);
         for (const PointBlocks::Node* group : groups_) search.find(*group, found_, length_);
     }
+    /// As run(), and moves the lists to the positions in `lists.offset`.
+    void runInto(std::span<const Vec3> normal, const ListRule& rule, NeighborLists& lists) {
+        run(normal, rule);
+        writeLists(lists);
+        entries_ = std::exchange(found_, {}).size();
+    }
 
-    std::size_t entries() const { return found_.size(); }
+    std::size_t entries() const { return std::max(entries_, found_.size()); }
     /// Writes the length of each list one position after its point, for partial sums.
     void writeLengths(std::vector<std::uint32_t>& offset) const {
         for (std::size_t i = 0; i < length_.size(); ++i)
@@ -290,8 +297,9 @@ class RangeSearch {
 
     const PointBlocks& blocks_;
     std::span<const PointBlocks::Node* const> groups_;
-    std::vector<Index> found_;           // all lists, in the order of slots
+    std::vector<Index> found_;           // all lists, in the order of slots, until they are moved
     std::vector<std::uint32_t> length_;  // of each
+    std::size_t entries_ = 0;            // that were moved
 };
 
 /// Splits the points into ranges, and these over threads. Every list is found independently, so
@@ -318,10 +326,16 @@ class NeighborSearch {
         for (std::size_t from = 0; from < groups.size(); from += kPerRange)
             ranges_.emplace_back(blocks_,
                                  groups.subspan(from, std::min(kPerRange, groups.size() - from)));
-        if (!forEachWithProgress(ranges_.size(), threads_, kRangesPerThread, progress,
-                                 [this](std::size_t i) { ranges_[i].run(normal_, rule_); })) {
+        // Lists of a known length are moved to their places at once: the search needs no more room
+        // than they do.
+        const bool known = !rule_.all && total_ * rule_.length < kNone;
+        NeighborLists lists = known ? spacedLists() : NeighborLists{};
+        const auto find = [&](std::size_t i) {
+            if (known) return ranges_[i].runInto(normal_, rule_, lists);
+            ranges_[i].run(normal_, rule_);
+        };
+        if (!forEachWithProgress(ranges_.size(), threads_, kRangesPerThread, progress, find))
             return Error{"the search for neighbors was cancelled"};
-        }
         std::size_t entries = 0;
         for (const RangeSearch& range : ranges_) entries += range.entries();
         if (entries >= kNone) {
@@ -330,7 +344,12 @@ class NeighborSearch {
                 "choose a smaller k or radius"};
         }
         if (progress) progress(1.0);
-        return withCoarseCorners(inOrderOfIndex(entries));
+        if (known) {
+            closeGaps(lists, entries);
+        } else {
+            lists = inOrderOfIndex(entries);
+        }
+        return withCoarseCorners(std::move(lists));
     }
 
   private:
@@ -339,12 +358,37 @@ class NeighborSearch {
         addGroups(blocks_.leftOf(node));
         addGroups(blocks_.rightOf(node));
     }
+    /// Lists of full length, with room for those that are to come.
+    NeighborLists spacedLists() const {
+        NeighborLists lists;
+        lists.offset.resize(total_ + 1);
+        for (std::size_t p = 0; p <= total_; ++p)
+            lists.offset[p] = static_cast<std::uint32_t>(p * rule_.length);
+        lists.ids.resize(total_ * rule_.length);
+        return lists;
+    }
+    std::vector<std::uint32_t> offsets() const {
+        std::vector<std::uint32_t> offset(total_ + 1, 0);
+        forEachItem(ranges_.size(), threads_, kRangesPerThread,
+                    [&](std::size_t i) { ranges_[i].writeLengths(offset); });
+        std::partial_sum(offset.begin(), offset.end(), offset.begin());
+        return offset;
+    }
+    /// Moves lists that are shorter than their room together.
+    void closeGaps(NeighborLists& lists, std::size_t entries) const {
+        if (entries == lists.ids.size()) return;
+        std::vector<std::uint32_t> offset = offsets();
+        for (std::size_t p = 0; p < total_; ++p) {
+            const auto from = lists.ids.begin() + lists.offset[p];
+            std::copy(from, from + (offset[p + 1] - offset[p]), lists.ids.begin() + offset[p]);
+        }
+        lists.offset = std::move(offset);
+        lists.ids.resize(entries);
+        lists.ids.shrink_to_fit();
+    }
     NeighborLists inOrderOfIndex(std::size_t entries) const {
         NeighborLists lists;
-        lists.offset.assign(total_ + 1, 0);
-        forEachItem(ranges_.size(), threads_, kRangesPerThread,
-                    [&](std::size_t i) { ranges_[i].writeLengths(lists.offset); });
-        std::partial_sum(lists.offset.begin(), lists.offset.end(), lists.offset.begin());
+        lists.offset = offsets();
         lists.ids.resize(entries);
         forEachItem(ranges_.size(), threads_, kRangesPerThread,
                     [&](std::size_t i) { ranges_[i].writeLists(lists); });
