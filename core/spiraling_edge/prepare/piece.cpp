@@ -221,7 +221,8 @@ PointFile pieceOf(PointFile file, const Piece& piece) {
         }
         file = keptPoints(std::move(file), keep);
     }
-    return piece.isScaled() ? scaled(std::move(file), piece.scale) : file;
+    if (piece.isScaled()) return scaled(std::move(file), piece.scale);
+    return file;
 }
 
 PointFile scaled(PointFile file, const Vec3& factors) {
