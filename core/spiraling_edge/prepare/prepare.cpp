@@ -109,8 +109,8 @@ class Preparation {
         derived.rimPoints = rim.value().points();
         derived.rim = derived.rim || derived.rimPoints > 0;
         derived.rimChains = rim.value().chains.size();
-        set_.rim = std::move(rim.value().gap);
-        for (Index p = 0; p < set_.size(); ++p) {
+        if (derived.rimPoints > 0) set_.rim = std::move(rim.value().gap);
+        for (Index p = 0; p < set_.rim.size(); ++p) {
             if (set_.rim[p].known()) set_.type[p] = kRimPoint;
         }
         derived.rimSeconds = watch.lap();
