@@ -85,8 +85,8 @@ struct RepairState : RepairNumbers {
     JournaledList<HalfEdge> queue;  ///< Sides to examine.
     /// Per triangle: the flips it took part in that only made fewer conflicts.
     JournaledList<std::uint8_t> conflictFlips;
-    /// Per triangle: its corners when it was last found without a fault.
-    JournaledList<Triangle> sound;
+    /// Per triangle: 1 if it was found without a fault since it has its corners; else 0, or none.
+    JournaledList<std::uint8_t> sound;
     /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
     JournaledList<PinchedSide> pinchedSides;
     // Not in the journal, since they follow from the rest:

@@ -118,8 +118,8 @@ bool isRough(const PointSet& points, const RepairState& m, Index t) {
 namespace {
 
 void setSound(RepairState& m, Index t) {
-    m.sound.resize(std::max(m.sound.size(), m.triangles.size()), Triangle{kNone, kNone, kNone});
-    m.sound.set(t, m.triangles[t]);
+    m.sound.resize(std::max(m.sound.size(), m.triangles.size()));
+    m.sound.set(t, 1);
 }
 
 /// isSound(), asked for the first time.
@@ -129,9 +129,7 @@ bool hasNoFault(const PointSet& points, const RepairState& m, const MeshTree& tr
                 .any([&](Index i) { return i == t; }, [](Index) { return true; });
 }
 
-bool isKnownAsSound(const RepairState& m, Index t) {
-    return t < m.sound.size() && m.sound[t] == m.triangles[t];
-}
+bool isKnownAsSound(const RepairState& m, Index t) { return t < m.sound.size() && m.sound[t] != 0; }
 
 }  // namespace
 

@@ -144,6 +144,7 @@ void RepairState::setTriangle(Index t, const Triangle& corners) {
     } else {
         triangles.set(t, corners);
     }
+    if (t < sound.size() && sound[t] != 0) sound.set(t, 0);
     if (near.tree != nullptr) near.changed.push_back(t);
     if (t < flipsAhead.changed.size()) flipsAhead.changed[t] = 1;
 }
