@@ -52,6 +52,24 @@ MeshTree::Bounds MeshTree::Node::all() const {
     return sum;
 }
 
+namespace {
+
+constexpr std::size_t kPerThread = 1 << 12;
+/// Levels above the leaves, of 2^32 triangles.
+constexpr std::size_t kMaxLevels = 16;
+
+/// The middle of the box of each triangle.
+std::vector<Vec3> middlesOf(const PointSet& points, std::span<const Triangle> triangles) {
+    std::vector<Vec3> middles(triangles.size());
+    forEachItem(triangles.size(), 0, kPerThread, [&](std::size_t i) {
+        const Box box = boxOf(points, triangles[i]);
+        middles[i] = 0.5 * (box.low + box.high);
+    });
+    return middles;
+}
+
+}  // namespace
+
 MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
     : points_(points), placeOf_(triangles.size(), kNone) {
     std::optional<Box> all;
@@ -64,23 +82,19 @@ MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
     const Vec3 sides = all ? all->high - all->low : Vec3(0.0);
     const double extent = std::max({sides.x, sides.y, sides.z});
     if (extent > 0.0 && 1.0 / extent < std::numeric_limits<double>::max()) scale_ = 1.0 / extent;
-    std::vector<Vec3> middles(triangles.size());
-    std::vector<Bounds> wide(triangles.size());
-    constexpr std::size_t kPerThread = 1 << 12;
-    forEachItem(triangles.size(), 0, kPerThread, [&](std::size_t i) {
-        const Box box = boxOf(points, triangles[i]);
-        middles[i] = 0.5 * (box.low + box.high);
-        wide[i] = bounds(box.grown(layerReach(points, triangles[i])));
-    });
-    nodes_.reserve(triangles.size() / 2 + 1);
-    nodes_.emplace_back();
+    const std::vector<Index> order = zCurveOrder(middlesOf(points, triangles));
     // A level after the other, from the leaves on.
-    Index count = 0;
-    for (const Index t : zCurveOrder(middles)) {
-        if (count == kWidth * nodes_.size()) nodes_.emplace_back();
-        set(count / kWidth, count % kWidth, t, wide[t]);
-        ++count;
-    }
+    const std::size_t leaves = std::max<std::size_t>(1, (order.size() + kWidth - 1) / kWidth);
+    nodes_.reserve(leaves + leaves / (kWidth - 1) + kMaxLevels);
+    nodes_.resize(leaves);
+    forEachItem(leaves, 0, kPerThread / kWidth, [&](std::size_t leaf) {
+        const std::size_t first = kWidth * leaf;
+        for (std::size_t i = first; i < std::min(first + kWidth, order.size()); ++i) {
+            const Index t = order[i];
+            const Box box = boxOf(points, triangles[t]).grown(layerReach(points, triangles[t]));
+            set(static_cast<Index>(leaf), static_cast<Index>(i - first), t, bounds(box));
+        }
+    });
     Index begin = 0;
     auto end = static_cast<Index>(nodes_.size());
     while (end - begin > 1) {
