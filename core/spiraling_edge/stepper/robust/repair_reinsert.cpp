@@ -300,13 +300,18 @@ class PlaceSearch {
     int faultsOfGone(const Change& place) {
         int sum = 0;
         for (const Index t : place.gone()) {
-            if (isSound(points_, m_, t)) continue;
             sum += shapeFaults(points_, m_.triangles[t]) >= kFlippedFault ? 1 : 0;
-            for (const Index other : conflictsOf(points_, m_, m_.triangles[t])) {
+            for (const Index other : conflictsOfOld(t)) {
                 if (other > t || !place.removes(other)) ++sum;
             }
         }
         return sum;
+    }
+    const std::vector<Index>& conflictsOfOld(Index t) {
+        const auto [found, isFirst] = old_.try_emplace(t);
+        if (isFirst && !isSound(points_, m_, t))
+            found->second = conflictsOf(points_, m_, m_.triangles[t]);
+        return found->second;
     }
     /// The faults of a new triangle with those that stay.
     int faultsWithOld(const Change& place, std::size_t i) {
@@ -372,6 +377,7 @@ class PlaceSearch {
     RepairState& m_;
     Index x_;
     std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
+    std::unordered_map<Index, std::vector<Index>> old_;    ///< Conflicts of old triangles.
     std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
     std::optional<Change> best_;
     int leastAdded_ = kMaxAdded;
