@@ -81,14 +81,6 @@ PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
     return require(prepareOptionsOf(spec, params, file), ExitCode::Usage, "--scanner: ");
 }
 
-Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file, const RunSpec& spec,
-                                                    const Params& params, const PointSet& run,
-                                                    const Progress& progress) {
-    const auto judge = judgeFor(file, prepareOptionsFrom(spec, params, file), run, progress);
-    if (!judge) return judge.error();
-    return withoutOpeningsToClose(judge.value(), params);
-}
-
 void requireNoStart(const GivenStart& start, const std::string& what) {
     if (start.empty()) return;
     refuse("{}: the run begins with given triangles, which name points by numbers", what);

@@ -41,12 +41,6 @@ Params paramsFrom(const RunSpec& spec);
 /// Its options of preparing. Throws Failure(Usage) where they do not fit the file.
 PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params, const PointFile& file);
 
-/// The judge of the meshes of a run, whose points were prepared from `file` by `spec`, without the
-/// openings that it closes. Fails as judgeFor(); throws as prepareOptionsFrom().
-Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file, const RunSpec& spec,
-                                                    const Params& params, const PointSet& run,
-                                                    const Progress& progress = {});
-
 /// Throws Failure(Usage) if there is a start, which names points by numbers, for work that changes
 /// them: `what` ("--crop") begins the message.
 void requireNoStart(const GivenStart& start, const std::string& what);

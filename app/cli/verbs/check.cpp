@@ -89,10 +89,10 @@ PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
     const auto judgeOf = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
         const Params params = paramsFrom(arguments.spec);
-        const Result<Prepared> prepared =
-            prepare(file, prepareOptionsFrom(arguments.spec, params, file));
+        const PrepareOptions options = prepareOptionsFrom(arguments.spec, params, file);
+        const Result<Prepared> prepared = prepare(file, options);
         if (!prepared) return prepared.error();
-        return judgeOfRun(file, arguments.spec, params, prepared.value().points);
+        return judgeOfRun(file, options, params, prepared.value().points);
     };
     auto judge = require(judgeOf(), ExitCode::Input, nameOfInput(arguments.cloud) + ": ");
     PointSet points = judge->points;

@@ -357,7 +357,8 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
     if (arguments.searchesPairs()) {
         prepared.points.judge =
             runWithProgress("preparing", named.source, line, [&](const Progress& progress) {
-                return judgeOfRun(file, named, outcome.params, prepared.points, progress);
+                return judgeOfRun(file, prepareOptionsFrom(named, outcome.params, file),
+                                  outcome.params, prepared.points, progress);
             });
         outcome.judge = prepared.points.judge;
     }

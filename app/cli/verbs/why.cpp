@@ -109,7 +109,7 @@ struct WhyArguments : AnswerOptions {
                                                      const PreparedInput& run,
                                                      const Progress& progress) const {
         if (run.points.judge) return run.points.judge;
-        return judgeOfRun(file, input.spec(), run.params, run.points, progress);
+        return judgeOfRun(file, input.prepareOptions(file), run.params, run.points, progress);
     }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
     /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().

@@ -59,7 +59,7 @@ SharedRun prepareRun(const Input& piece, const RunSpec& spec, const std::vector<
 /// The params of a run. Throws InputError if it cannot begin at its start, std::invalid_argument if
 /// a what-if has no effect.
 Params possibleParams(const PreparedRun& run);
-/// The judge of meshes of a run, by what the user has set. Throws InputError where judgeFor()
+/// The judge of meshes of a run, by what the user has set. Throws InputError where judgeOfRun()
 /// fails.
 std::shared_ptr<const MeshJudge> judgeOf(const PreparedRun& run, const Progress& progress);
 

@@ -242,8 +242,7 @@ std::shared_ptr<const MeshJudge> judgeOf(const PreparedRun& run, const Progress&
     const Params params = paramsFrom(run.spec);
     const auto options =
         require<std::invalid_argument>(prepareOptionsOf(run.named, params, *run.file));
-    auto judge = require<InputError>(judgeFor(*run.file, options, *run.points, progress));
-    return withoutOpeningsToClose(std::move(judge), params);
+    return require<InputError>(judgeOfRun(*run.file, options, params, *run.points, progress));
 }
 
 py::object preparedRecord(const SharedRun& run) {

@@ -354,11 +354,12 @@ Result<Loaded> loadInput(const RunSpec& spec, LoadProgress& progress) {
     });
     if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
-    const auto judge = judgeFor(file.value(), options.value(), prepared.value().points,
-                                [&](double) { return !progress.cancelled.load(); });
+    const auto judge =
+        judgeOfRun(file.value(), options.value(), model->params, prepared.value().points,
+                   [&](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
     if (!judge) return judge.error();
-    prepared.value().points.judge = withoutOpeningsToClose(judge.value(), model->params);
+    prepared.value().points.judge = judge.value();
     model->judged = departureText(*judge.value());
     std::shared_ptr<const PointFile> given;
     if (model->fixed) given = std::make_shared<const PointFile>(file.value());

@@ -349,9 +349,8 @@ Result<Measured> measured(const PointFile& file, const PrepareOptions& options, 
     return result;
 }
 
-Result<std::shared_ptr<const MeshJudge>> judged(const PointFile& file,
-                                                const PrepareOptions& options, const PointSet* run,
-                                                const Progress& progress) {
+Result<std::shared_ptr<MeshJudge>> judged(const PointFile& file, const PrepareOptions& options,
+                                          const PointSet* run, const Progress& progress) {
     std::shared_ptr<MeshJudge> judge;
     {
         // The intake takes as much memory as the points.
@@ -363,7 +362,16 @@ Result<std::shared_ptr<const MeshJudge>> judged(const PointFile& file,
             findOpenings(options.neighbors.threads, partOf(progress, kPreparedDone, 1.0), *judge);
         !found)
         return found.error();
-    return std::shared_ptr<const MeshJudge>(std::move(judge));
+    return judge;
+}
+
+/// Leaves out the openings that the user wants closed.
+void dropOpeningsToClose(const Params& params, MeshJudge& judge) {
+    if (!params.limitsHoles()) return;
+    std::erase_if(judge.openings, [&](const std::vector<Index>& chain) {
+        const LoopShape shape = shapeOfLoop(judge.points.position, judge.points.normal, chain);
+        return params.isWithinHoleLimits(shape.width(), chain.size());
+    });
 }
 
 }  // namespace
@@ -378,28 +386,23 @@ Result<Intake> takeIn(const PointFile& file, const Progress& progress) {
     return std::move(intake);
 }
 
-Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
-                                                  const PrepareOptions& options,
-                                                  const PointSet& run, const Progress& progress) {
+Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file,
+                                                    const PrepareOptions& options,
+                                                    const Params& params, const PointSet& run,
+                                                    const Progress& progress) {
     assert(run.size() == file.position.size());
-    return judged(file, options, &run, progress);
+    auto judge = judged(file, options, &run, progress);
+    if (!judge) return judge.error();
+    dropOpeningsToClose(params, *judge.value());
+    return std::shared_ptr<const MeshJudge>(std::move(judge.value()));
 }
 
 Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigned threads) {
     PrepareOptions options;
     options.neighbors.threads = threads;
-    return judged(file, options, nullptr, {});
-}
-
-std::shared_ptr<const MeshJudge> withoutOpeningsToClose(std::shared_ptr<const MeshJudge> judge,
-                                                        const Params& params) {
-    if (!params.limitsHoles()) return judge;
-    auto fewer = std::make_shared<MeshJudge>(*judge);
-    std::erase_if(fewer->openings, [&](const std::vector<Index>& chain) {
-        const LoopShape shape = shapeOfLoop(judge->points.position, judge->points.normal, chain);
-        return params.isWithinHoleLimits(shape.width(), chain.size());
-    });
-    return fewer;
+    auto judge = judged(file, options, nullptr, {});
+    if (!judge) return judge.error();
+    return std::shared_ptr<const MeshJudge>(std::move(judge.value()));
 }
 
 }  // namespace se

@@ -188,9 +188,9 @@ class TrialRuns {
         if (!prepared) return prepared;
         PointSet& points = prepared.value().points;
         if (!judge_) {
-            const auto judge = judgeFor(file_, options, points, partOf(part, 0.2, 0.3));
+            const auto judge = judgeOfRun(file_, options, params, points, partOf(part, 0.2, 0.3));
             if (!judge) return judge.error();
-            judge_ = withoutOpeningsToClose(judge.value(), params);
+            judge_ = judge.value();
         }
         points.judge = judge_;
         return prepared;

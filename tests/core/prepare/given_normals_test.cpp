@@ -254,10 +254,10 @@ TEST_CASE("judge: a mesh turned against right normals has flipped triangles, wha
     CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
     // The user's word turns a piece only where its shape does not speak against it.
     options.normals = NormalSource::Oriented;
-    points.judge = judgeFor(file, options, points).value();
+    points.judge = judgeOfRun(file, options, {}, points).value();
     CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
     const PointFile inward = withNormals(file, [](const Vec3& x) { return -x; });
-    points.judge = judgeFor(inward, options, run).value();
+    points.judge = judgeOfRun(inward, options, {}, run).value();
     for (Triangle& t : mesh) std::swap(t.b, t.c);
     CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
 }

@@ -25,7 +25,7 @@ std::string endOfRun(const PointFile& file, const char* rules, NormalSource norm
     spec.normals = normals;
     const PrepareOptions options = prepareOptionsOf(spec, params, file).value();
     Prepared prepared = prepare(file, options).value();
-    prepared.points.judge = judgeFor(file, options, prepared.points).value();
+    prepared.points.judge = judgeOfRun(file, options, params, prepared.points).value();
     const State state = reconstruct(prepared.points, params).state;
     const MeshVerdict verdict = judgeMesh(prepared.points, state.mesh()).verdict;
     if (verdict.triangles == 0) return "no triangle";
