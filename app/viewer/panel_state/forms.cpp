@@ -156,7 +156,8 @@ BoxFields proposedFields(const WallBox& box) {
 
 }  // namespace
 
-void PrepareForm::take(const RunSpec& spec, const Model& model) {
+void PrepareForm::take(const RunSpec& opened, const Model& model) {
+    const RunSpec spec = withFixesAsOptions(opened);
     *this = {};
     open = true;
     symmetric = spec.neighbors.symmetric;
@@ -183,20 +184,6 @@ void PrepareForm::take(const RunSpec& spec, const Model& model) {
         radius = exact(std::get<WithinRadius>(lists.reach).radius);
         if (lists.recompute) reach = Reach::Radius;
     }
-    for (const std::string& name : spec.fixes) {
-        if (const DoctorCheck* check = findDoctorCheck(name)) show(check->fix);
-    }
-}
-
-void PrepareForm::show(Fix fix) {
-    if (fix == Fix::Orient) normals = NormalSource::Oriented;
-    if (fix == Fix::Derive) normals = NormalSource::Derived;
-    if (fix == Fix::Symmetric) symmetric = true;
-    if (fix == Fix::Walls) walls = WallChoice::From::Around;
-    if (fix == Fix::Rim) rim = true;
-    if (fix != Fix::NewLists) return;
-    reach = Reach::Nearest;
-    count = std::to_string(KNearest{}.k);
 }
 
 SpecChange PrepareForm::values() const {
@@ -239,10 +226,9 @@ Result<RunSpec> PrepareForm::spec(RunSpec base) const {
         base = withRule(std::move(base), kKeepingRules[i], keeps[i] ? 0.0 : 1.0);
     }
     // The choice made here replaces the one of a fix, unless they agree.
-    std::erase_if(base.fixes, [this](const std::string& name) {
-        PrepareForm fixed = *this;
-        if (const DoctorCheck* check = findDoctorCheck(name)) fixed.show(check->fix);
-        return fixed != *this;
+    std::erase_if(base.fixes, [made = base](const std::string& name) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        return check != nullptr && changed(made, changeOf(check->fix)) != made;
     });
     return base;
 }

@@ -77,9 +77,9 @@ struct PrepareForm {
     std::array<bool, 3> kept{};
     std::string complaint;
 
-    /// Starts with the options of `spec`, including the doctor's fixes; the box with that around
+    /// Starts with the options of `opened`, including the doctor's fixes; the box with that around
     /// the points of `model`.
-    void take(const RunSpec& spec, const Model& model);
+    void take(const RunSpec& opened, const Model& model);
     /// Drops what was typed.
     void close() {
         open = wantsKeyboard = false;
@@ -94,8 +94,6 @@ struct PrepareForm {
   private:
     /// The values of the fields that are set.
     SpecChange values() const;
-    /// Makes the choices of a fix.
-    void show(Fix fix);
 };
 
 }  // namespace se::view

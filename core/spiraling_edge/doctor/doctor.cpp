@@ -17,122 +17,111 @@
 namespace se {
 namespace {
 
-/// Placeholder of the factors in a command.
-constexpr std::string_view kFactors = "X,Y,Z";
-
-constexpr std::string_view kFix = "spiraling-edge doctor IN --fix OUT.ply";
-constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply";
-constexpr std::string_view kDerive = "spiraling-edge run IN --derive-normals -o OUT.ply";
-constexpr std::string_view kBest = "spiraling-edge run IN --best -o OUT.ply";
-constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
+constexpr std::string_view kBest = "--best";
+constexpr std::string_view kScale = "--scale-by X,Y,Z";
 
 constexpr std::array kChecks{
     DoctorCheck{"non_finite", "3",
-                "A point needs a place, three finite coordinates: these are set aside.", kFix,
+                "A point needs a place, three finite coordinates: these are set aside.",
                 Fix::Repair, findNonFinite},
     DoctorCheck{"duplicates", "3",
                 "\"There is only one point at any particular location\": copies are set aside.",
-                kFix, Fix::Repair, findDuplicates},
+                Fix::Repair, findDuplicates},
     DoctorCheck{"sentinels", "3",
                 "Lists and sizes would reach to a place where no surface is: these are set aside.",
-                kFix, Fix::Repair, findSentinels},
+                Fix::Repair, findSentinels},
     DoctorCheck{"too_few_points", "4",
-                "An edge ring begins with two points, and a triangle needs a third.", "", Fix::None,
+                "An edge ring begins with two points, and a triangle needs a third.", Fix::None,
                 findTooFewPoints},
     DoctorCheck{
         "near_duplicates", "6.1",
         "The direction to so near a point is chance, and so is its place in the angle sort.",
-        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", Fix::Drop,
-        findNearDuplicates},
+        Fix::Drop, findNearDuplicates},
     DoctorCheck{"isolated_points", "4",
                 "No point has them in its list, so no fan takes them: noise, as the paper says.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", Fix::Drop,
-                findIsolatedPoints},
+                Fix::Drop, findIsolatedPoints},
     DoctorCheck{"in_line", "6.3", "Three points in line have no circle, and no plane to sort in.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Fix::Drop, findInLine},
+                Fix::Drop, findInLine},
     DoctorCheck{"mixed_units", "3",
                 "The nearest points are not those about a point: convert the coordinates to one "
                 "unit first.",
-                "spiraling-edge run IN --scale-by X,Y,Z -o OUT.ply", Fix::None, findMixedUnits},
+                Fix::None, findMixedUnits, kScale},
     DoctorCheck{"extreme_size", "6.3",
                 "The rules of robust compute products of up to six lengths, which overflow or "
                 "vanish: scale the points by a power of two, without rounding.",
-                "spiraling-edge run IN --scale-by X,Y,Z -o OUT.ply", Fix::None, findExtremeSize},
+                Fix::None, findExtremeSize, kScale},
     DoctorCheck{"lost_digits", "3",
                 "Points were moved by up to half a step: write the file again with more digits, or "
                 "subtract an offset first.",
-                "", Fix::None, findLostDigits},
+                Fix::None, findLostDigits},
     DoctorCheck{"twins", "6.1",
                 "The order about a point is chance where another is so near: keep one of each "
                 "pair.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop twins", Fix::Drop, findTwins},
+                Fix::Drop, findTwins},
     DoctorCheck{"lines", "3",
                 "Lists of the nearest points do not reach from one line to the next: thin the "
                 "points along the lines.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop lines", Fix::Drop, findLines},
+                Fix::Drop, findLines},
     DoctorCheck{"uneven_spacing", "3",
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
-                kBest, Fix::None, findUnevenSpacing},
+                Fix::None, findUnevenSpacing, kBest},
     DoctorCheck{"noise", "6.1",
                 "Each point becomes a corner, so the mesh follows the noise: smooth the points "
                 "first, thin them, or use a method that approximates.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop noise", Fix::Drop, findNoise},
+                Fix::Drop, findNoise},
     DoctorCheck{"two_layers", "6.1",
                 "Triangles jump from one layer to the other: register the scans first, keep one of "
                 "them, or thin them.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop two_layers", Fix::Drop,
-                findTwoLayers},
+                Fix::Drop, findTwoLayers},
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",
-                kBest, Fix::None, findTies},
-    DoctorCheck{"no_normals", "3", "The normals are derived from the positions.", kBest, Fix::None,
-                findNoNormals},
+                Fix::None, findTies, kBest},
+    DoctorCheck{"no_normals", "3", "The normals are derived from the positions.", Fix::None,
+                findNoNormals, kBest},
     DoctorCheck{"zero_normals", "6.1",
                 "Angles are measured about the normal: one without a direction is derived from the "
                 "positions.",
-                kFix, Fix::Repair, findZeroNormals},
+                Fix::Repair, findZeroNormals},
     DoctorCheck{"unscaled_normals", "6.2",
-                "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
+                "The plane of a hole adds up normals: long ones would outweigh the others.",
                 Fix::Repair, findUnscaledNormals},
     DoctorCheck{"unfit_normals", "6.1",
                 "The sort by angle takes place about the normal: the order about one that is not "
                 "the surface's is wrong.",
-                kDerive, Fix::Derive, findUnfitNormals},
+                Fix::Derive, findUnfitNormals},
     DoctorCheck{"flipped_normals", "6.1",
                 "Seen from the other side the ring runs clockwise: holes and overlaps follow.",
-                kOrient, Fix::Orient, findFlippedNormals},
-    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, Fix::Orient,
-                findInsideOut},
+                Fix::Orient, findFlippedNormals},
+    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", Fix::Orient, findInsideOut},
     DoctorCheck{"close_sheets", "3",
                 "Lists reach through to the other sheet: what opposes must be left out, and short "
                 "lists are better.",
-                kBest, Fix::None, findCloseSheets},
-    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, Fix::Repair,
+                Fix::None, findCloseSheets, kBest},
+    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", Fix::Repair,
                 findEntriesOutside},
     DoctorCheck{"repeated_entries", "3",
                 "A list names its own point, or another one twice: these entries are dropped.",
-                kFix, Fix::Repair, findRepeatedEntries},
+                Fix::Repair, findRepeatedEntries},
     DoctorCheck{"unsorted_lists", "4",
-                "The nearest neighbor begins the ring, so lists must begin with it.", kFix,
-                Fix::Repair, findUnsortedLists},
+                "The nearest neighbor begins the ring, so lists must begin with it.", Fix::Repair,
+                findUnsortedLists},
     DoctorCheck{"short_lists", "6.4", "A closed fan needs three neighbors; at a wall two.",
-                kNewLists, Fix::NewLists, findShortLists},
+                Fix::NewLists, findShortLists},
     DoctorCheck{"unsymmetric_lists", "6.1",
                 "A point may be a candidate where the pivot is none in turn; the k nearest always "
                 "are so.",
-                "spiraling-edge run IN --symmetric -o OUT.ply", Fix::Symmetric,
-                findUnsymmetricLists},
+                Fix::Symmetric, findUnsymmetricLists},
     DoctorCheck{"corner_bits", "4",
                 "\"Two or more of these subtypes also sets the corner bit\": it is corrected.",
-                kFix, Fix::Repair, findCornerBits},
+                Fix::Repair, findCornerBits},
     DoctorCheck{"types_off_box", "7.1",
-                "Wall points are passed over, and corners turned, by their types.",
-                "spiraling-edge run IN --box auto -o OUT.ply", Fix::Walls, findTypesOffBox},
+                "Wall points are passed over, and corners turned, by their types.", Fix::Walls,
+                findTypesOffBox},
     DoctorCheck{"open_border", "7",
                 "A ring ends at boundary points; without their types an opening looks like a hole, "
                 "and is closed.",
-                "spiraling-edge run IN --derive-rim -o OUT.ply", Fix::Rim, findOpenBorder},
+                Fix::Rim, findOpenBorder},
 };
 
 /// Checks whose findings follow from a greater cause: where that is found, they would say the same
@@ -189,6 +178,30 @@ std::string_view severityName(Severity severity) {
     return kNames[static_cast<std::size_t>(severity)];
 }
 
+std::string_view optionOf(Fix fix) {
+    // In the order of the enum.
+    constexpr std::string_view kOptions[] = {"",
+                                             "",
+                                             "",
+                                             "--orient",
+                                             "--derive-normals",
+                                             "--neighbors 12",
+                                             "--symmetric",
+                                             "--box auto",
+                                             "--derive-rim"};
+    static_assert(std::size(kOptions) == static_cast<std::size_t>(Fix::Rim) + 1);
+    return kOptions[static_cast<std::size_t>(fix)];
+}
+
+std::string DoctorCheck::remedy() const {
+    if (fix == Fix::Repair || fix == Fix::Drop) {
+        const std::string command = "spiraling-edge doctor IN --fix OUT.ply";
+        return fix == Fix::Repair ? command : command + " --drop " + std::string(name);
+    }
+    const std::string_view option = fix == Fix::None ? advice : optionOf(fix);
+    return option.empty() ? "" : "spiraling-edge run IN " + std::string(option) + " -o OUT.ply";
+}
+
 std::span<const DoctorCheck> doctorChecks() { return kChecks; }
 
 const DoctorCheck* findDoctorCheck(std::string_view name) { return findNamed(kChecks, name); }
@@ -203,13 +216,13 @@ void replaceOnce(std::string& text, std::string_view placeholder, std::string_vi
 }  // namespace
 
 bool Finding::hasRemedy() const {
-    const bool lacksFactors = check->remedy.find(kFactors) != std::string_view::npos && !scale;
-    return !check->remedy.empty() && !dropsAll() && !lacksFactors;
+    const bool lacksFactors = check->advice == kScale && !scale;
+    return !check->remedy().empty() && !dropsAll() && !lacksFactors;
 }
 
 std::string commandOf(const Finding& finding, std::string_view input, std::string_view output) {
-    std::string command(finding.check->remedy);
-    if (finding.scale) replaceOnce(command, kFactors, plainNumbers(*finding.scale, ","));
+    std::string command = finding.check->remedy();
+    if (finding.scale) replaceOnce(command, "X,Y,Z", plainNumbers(*finding.scale, ","));
     // From the end, since the name of the input may contain the placeholder.
     replaceOnce(command, "OUT.ply", output);
     replaceOnce(command, "IN", input);

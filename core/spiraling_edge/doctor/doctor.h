@@ -41,20 +41,26 @@ enum class Fix : std::uint8_t {
     Rim,        ///< PrepareOptions::rim.
 };
 
+/// The option of a run that makes a fix: "--orient"; empty if the file is changed, or nothing is.
+std::string_view optionOf(Fix fix);
+
 /// One row of the table of checks: a new check is one function and one row.
 struct DoctorCheck {
     std::string_view name;     ///< As in JSON: `flipped_normals`.
     std::string_view section;  ///< Of the paper, with the rule that is upset: "6.1".
     std::string_view upsets;   ///< The consequence there, as a sentence.
-    /// The command that helps, IN in place of the input, X,Y,Z of Finding::scale; empty if there
-    /// is none.
-    std::string_view remedy;
     Fix fix;
     /// Nothing if the file does not have the problem.
     std::optional<Finding> (*find)(const ExaminedFile& examined);
+    /// Without a fix: the option of a run that helps, X,Y,Z in place of Finding::scale; empty if
+    /// there is none.
+    std::string_view advice = {};
 
     /// True if applyFixes() repairs it.
     bool hasSafeFix() const { return fix == Fix::Repair; }
+    /// The command that helps, IN in place of the input, X,Y,Z of Finding::scale; empty if there is
+    /// none.
+    std::string remedy() const;
 };
 
 /// All checks, in the order of the report.

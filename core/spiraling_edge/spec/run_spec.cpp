@@ -6,6 +6,7 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se {
 Params ruleParams(const RunSpec& spec) {
@@ -38,15 +39,10 @@ RunSpec withFixesAsOptions(RunSpec spec) {
     const bool ownLists = spec.neighbors.recompute;
     for (const std::string& name : std::exchange(spec.fixes, {})) {
         const DoctorCheck* check = findDoctorCheck(name);
-        const Fix fix = check != nullptr ? check->fix : Fix::None;
-        if (fix == Fix::Orient && !ownNormals) spec.normals = NormalSource::Oriented;
-        if (fix == Fix::Derive && !ownNormals) spec.normals = NormalSource::Derived;
-        if (fix == Fix::Symmetric) spec.neighbors.symmetric = true;
-        if (fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
-        if (fix == Fix::Rim) spec.rim = true;
-        if (fix != Fix::NewLists || ownLists) continue;
-        spec.neighbors.reach = KNearest{};
-        spec.neighbors.recompute = true;
+        const SpecChange change = changeOf(check != nullptr ? check->fix : Fix::None);
+        const bool hasOwn = (ownNormals && !textOf(change, "normals").empty()) ||
+                            (ownLists && !textOf(change, "neighbors").empty());
+        if (!hasOwn) spec = changed(std::move(spec), change);
     }
     return spec;
 }

@@ -580,6 +580,8 @@ Result<SpecChange> changeFromWords(std::span<const std::string> words) {
     return change;
 }
 
+SpecChange changeOf(Fix fix) { return changeFromWords(io::wordsIn(optionOf(fix))).value(); }
+
 // ---- JSON ----
 
 std::string jsonQuoted(std::string_view text) {

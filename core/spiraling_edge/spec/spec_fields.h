@@ -16,6 +16,8 @@
 
 namespace se {
 
+enum class Fix : std::uint8_t;  // doctor/doctor.h
+
 /// What a field is about: a verb that does not run takes only some.
 enum class SpecGroup : std::uint8_t {
     Reading,  ///< How much is read, and which part of it.
@@ -81,6 +83,10 @@ const RuleSetting* ruleOf(const FieldValue& value);
 SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 /// The text that `change` has for a key; empty if it has none.
 std::string_view textOf(const SpecChange& change, std::string_view key);
+
+/// The change that makes a fix of the doctor by an option of a run; none for one that changes the
+/// file.
+SpecChange changeOf(Fix fix);
 
 /// Sets the values. Fails with the first that is not valid, "--radius -1: expected a number > 0";
 /// the spec is then changed in part.

@@ -58,26 +58,6 @@ class FixTrials {
     }
 
   private:
-    /// The option of the command.
-    static SpecChange changeOf(Fix fix) {
-        switch (fix) {
-            case Fix::Orient:
-                return specChange({{"normals", "oriented"}});
-            case Fix::Derive:
-                return specChange({{"normals", "derived"}});
-            case Fix::NewLists:
-                return specChange({{"neighbors", "12"}});
-            case Fix::Symmetric:
-                return specChange({{"symmetric", "on"}});
-            case Fix::Walls:
-                return specChange({{"box", "auto"}});
-            case Fix::Rim:
-                return specChange({{"rim", "on"}});
-            default:
-                return {};
-        }
-    }
-
     Progress nextStep() {
         const double from = static_cast<double>(step_) / static_cast<double>(steps_);
         step_ = std::min(step_ + 1, steps_);

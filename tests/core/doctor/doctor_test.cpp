@@ -561,7 +561,7 @@ TEST_CASE("doctor: every check has a name of its own, a section and a sentence")
                           [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); }));
         CHECK(check.section.size() >= 1);
         CHECK(check.upsets.back() == '.');
-        CHECK((!check.hasSafeFix() || check.remedy.find("--fix") != std::string_view::npos));
+        CHECK((!check.hasSafeFix() || check.remedy().find("--fix") != std::string::npos));
         CHECK(findDoctorCheck(check.name) == &check);
         names.push_back(check.name);
     }

@@ -18,7 +18,7 @@ TEST_CASE("doctor: open_border notes the rims of an open surface, until they hav
         for (const Index p : finding->points)
             CHECK(open.toRim(open.file.position[p]) < 1.5 * open.spacing);
         // The advised remedy works: --derive-rim.
-        CHECK(finding->check->remedy.find("--derive-rim") != std::string_view::npos);
+        CHECK(finding->check->remedy().find("--derive-rim") != std::string::npos);
         PrepareOptions options;
         options.rim = true;
         PointFile marked = open.file;

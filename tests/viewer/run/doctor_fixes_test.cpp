@@ -68,7 +68,7 @@ struct FixApp : test::HeadlessApp {
 TEST_CASE("Each doctor check that has a fix here has a command as well") {
     for (const DoctorCheck& check : doctorChecks()) {
         CAPTURE(check.name);
-        CHECK((!canFix(check) || !check.remedy.empty()));
+        CHECK((!canFix(check) || !check.remedy().empty()));
         CHECK(canFix(check) == !fixText(check.fix).empty());
     }
 }
