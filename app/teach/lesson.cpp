@@ -20,13 +20,11 @@ std::string_view sceneOf(std::string_view input) {
 
 /// Opens an input: names are those given with it, or of the figure.
 void openInput(StepSetting& setting, const std::string& input,
-               const std::vector<NamedPoint>& names) {
+               const std::vector<PointName>& names) {
     setting.input = input;
     setting.names = names;
-    if (const Figure* figure = figureOfScene(sceneOf(input)); figure != nullptr && names.empty()) {
-        for (const PointName& each : figure->names)
-            setting.names.push_back({std::string(each.name), each.point});
-    }
+    if (const Figure* figure = figureOfScene(sceneOf(input)); figure != nullptr && names.empty())
+        setting.names = figure->pointNames();
     const std::string_view address = addressOfScene(sceneOf(input));
     setting.at = address.empty() ? "0" : address;
 }
@@ -110,15 +108,8 @@ Result<RunSpec> runSpec(const StepSetting& setting) {
     return valid ? Result<RunSpec>(std::move(spec)) : valid.error();
 }
 
-std::vector<PointName> pointNames(const std::vector<NamedPoint>& names) {
-    std::vector<PointName> list;
-    list.reserve(names.size());
-    for (const NamedPoint& each : names) list.push_back({each.point, each.name});
-    return list;
-}
-
-Index pointOf(std::string_view word, const std::vector<NamedPoint>& names) {
-    if (const NamedPoint* found = findNamed(names, word)) return found->point;
+Index pointOf(std::string_view word, const std::vector<PointName>& names) {
+    if (const PointName* found = findNamed(names, word)) return found->point;
     return numberIn<Index>(word).value_or(kNone);
 }
 
@@ -127,15 +118,14 @@ std::string absentPointText(const std::string& word, std::size_t count) {
 }
 
 std::vector<std::string> namesOf(const std::vector<Index>& points,
-                                 const std::vector<NamedPoint>& names) {
-    const std::vector<PointName> list = pointNames(names);
+                                 const std::vector<PointName>& names) {
     std::vector<std::string> words;
     words.reserve(points.size());
-    for (const Index point : points) words.push_back(nameOf(point, list));
+    for (const Index point : points) words.push_back(nameOf(point, names));
     return words;
 }
 
-std::string pointsText(const std::vector<Index>& points, const std::vector<NamedPoint>& names) {
+std::string pointsText(const std::vector<Index>& points, const std::vector<PointName>& names) {
     return points.empty() ? "none" : wordList(namesOf(points, names), "");
 }
 

@@ -47,13 +47,6 @@ struct KeyLines {
     std::size_t of(std::string_view key) const;
 };
 
-/// A point with the name that the lesson gives it.
-struct NamedPoint {
-    std::string name;
-    Index point = kNone;
-    friend bool operator==(const NamedPoint&, const NamedPoint&) = default;
-};
-
 /// Playback from the position of a step to its `until`.
 struct PlaySpeed {
     std::string unit;  ///< "sub-step", "pivot" or "event".
@@ -96,9 +89,9 @@ struct LessonStep {
     std::vector<LessonLink> links;
     KeyLines lines;
     double minutes = 1.0;
-    std::string input;              ///< Another input from here on; empty: none.
-    std::vector<NamedPoint> names;  ///< Of that input.
-    std::string at;                 ///< Empty: as the step before.
+    std::string input;             ///< Another input from here on; empty: none.
+    std::vector<PointName> names;  ///< Of that input.
+    std::string at;                ///< Empty: as the step before.
     std::string until;
     std::string expect;  ///< Outcome of the decision at `at`, as outcomeText().
     /// Set, single rules and what-ifs of this step alone, as they are written.
@@ -124,7 +117,7 @@ struct Lesson {
     std::string input;
     SpecChange options;  ///< Neighbor lists of the input.
     SpecChange rules;    ///< As those of a step.
-    std::vector<NamedPoint> names;
+    std::vector<PointName> names;
     std::string view;
     std::string layout;
     std::string author, license;
@@ -147,7 +140,7 @@ const std::vector<LessonView>& lessonViews();
 struct StepSetting {
     std::string input;  ///< As in the lesson: scene:ID, or a path relative to its folder.
     SpecChange run;     ///< Options and rules, as they are written.
-    std::vector<NamedPoint> names;  ///< Those of the lesson, or of the figure.
+    std::vector<PointName> names;  ///< Those of the lesson, or of the figure.
     std::string view;  ///< By name; empty: viewDirection() has that of the figure, if there is one.
     std::string at;    ///< Position: that of the question while it is open. "0": the start.
     std::string answerPlace;  ///< Position when the question is answered; empty: end of the pivot.
@@ -162,19 +155,16 @@ Result<RunSpec> runSpec(const StepSetting& setting);
 /// The direction to look from, from the points to the eye; nothing if the lesson leaves it open.
 std::optional<Vec3> viewDirection(const StepSetting& setting);
 
-/// Names for describe(); they refer to `names`.
-std::vector<PointName> pointNames(const std::vector<NamedPoint>& names);
-
 /// The point of a name, or of a number as text; kNone if it is neither.
-Index pointOf(std::string_view word, const std::vector<NamedPoint>& names);
+Index pointOf(std::string_view word, const std::vector<PointName>& names);
 
 /// "99: there are 50 points, from 0"; `word` names the point that is absent.
 std::string absentPointText(const std::string& word, std::size_t count);
 
 /// The names of points, or their numbers.
 std::vector<std::string> namesOf(const std::vector<Index>& points,
-                                 const std::vector<NamedPoint>& names);
+                                 const std::vector<PointName>& names);
 /// "q, 31"; "none" for an empty list.
-std::string pointsText(const std::vector<Index>& points, const std::vector<NamedPoint>& names);
+std::string pointsText(const std::vector<Index>& points, const std::vector<PointName>& names);
 
 }  // namespace se::teach

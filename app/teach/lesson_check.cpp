@@ -35,7 +35,7 @@ struct ClaimedRun {
 struct ClaimedRuns {
     ClaimedRun a;
     const std::optional<ClaimedRun>& b;
-    const std::vector<NamedPoint>& names;
+    const std::vector<PointName>& names;
 };
 
 /// Angle at `tip` between two points, degrees.
@@ -196,7 +196,7 @@ class StepCheck {
     std::size_t pointCount() const { return cursor_->timeline().points().size(); }
 
     bool checkNames() {
-        for (const NamedPoint& each : setting_.names) {
+        for (const PointName& each : setting_.names) {
             if (each.point < pointCount()) continue;
             return malformed(
                 inputLines(), "names",

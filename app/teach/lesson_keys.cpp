@@ -124,12 +124,12 @@ bool readValue(const toml::node& node, std::vector<std::string>& out) {
 }
 
 /// Names of points and their numbers.
-bool readValue(const toml::node& node, std::vector<NamedPoint>& out) {
+bool readValue(const toml::node& node, std::vector<PointName>& out) {
     if (!node.is_table()) return false;
     for (const auto& [name, value] : *node.as_table()) {
         const auto* number = value.as_integer();
         if (number == nullptr || number->get() < 0 || number->get() >= kNone) return false;
-        out.push_back({std::string(name.str()), static_cast<Index>(number->get())});
+        out.push_back({static_cast<Index>(number->get()), std::string(name.str())});
     }
     return true;
 }
@@ -359,8 +359,8 @@ class BlockFaults {
     void add(std::string_view key, std::string message) {
         faults_.push_back({lines_.of(key), std::string(key), std::move(message)});
     }
-    void names(const std::vector<NamedPoint>& names) {
-        for (const NamedPoint& each : names) {
+    void names(const std::vector<PointName>& names) {
+        for (const PointName& each : names) {
             const bool isWord = !each.name.empty() && each.name.size() <= 16 &&
                                 each.name.find_first_of(" ,\t\n") == std::string::npos;
             if (!isWord) add("names", "a name is a short word, not " + inQuotes(each.name));

@@ -196,7 +196,7 @@ Result<RightAnswer> rightAnswer(const Lesson& lesson, std::size_t step, LessonRu
     const Status moved = goToPlace(*cursor.value(), question.why);
     if (!moved) return Error{"why: " + moved.error().message};
     if (const Event* event = cursor.value()->event())
-        right.reason = describe(*event, pointNames(setting.names));
+        right.reason = describe(*event, setting.names);
     return right;
 }
 

@@ -129,13 +129,13 @@ std::span<const MoveRow> moveTable() { return kMoveTable; }
 
 const MoveRow& rowOf(MoveKind kind) { return kMoveTable[static_cast<std::size_t>(kind)]; }
 
-std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names) {
+std::string moveText(const PlayMove& move, const std::vector<PointName>& names) {
     std::string text(rowOf(move.kind).name);
     for (const std::string& name : namesOf(move.points, names)) text += ' ' + name;
     return move.points.empty() ? text + ' ' + std::string(kNoPoint) : text;
 }
 
-Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoint>& names) {
+Result<PlayMove> moveFromText(std::string_view text, const std::vector<PointName>& names) {
     io::Fields fields(text, ',');
     const std::string_view name = fields.next();
     const MoveRow* row = findNamed(kMoveTable, name);

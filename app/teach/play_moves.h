@@ -42,9 +42,9 @@ struct PlayMove {
     friend bool operator==(const PlayMove&, const PlayMove&) = default;
 };
 /// "keep 17", "fan 20 9 31 39", "next none"; points by their names.
-std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names = {});
+std::string moveText(const PlayMove& move, const std::vector<PointName>& names = {});
 /// Reads moveText(). Fails with a sentence that names what was expected.
-Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoint>& names = {});
+Result<PlayMove> moveFromText(std::string_view text, const std::vector<PointName>& names = {});
 
 /// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
 /// test was made, one that kept it, if any did; of a point that start or end moved to, that move.

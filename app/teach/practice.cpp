@@ -183,8 +183,8 @@ PracticeTask practiceTask(std::uint64_t seed) {
     }
 }
 
-std::vector<NamedPoint> practiceNames(const PracticeTask& task) {
-    return {{"p", task.p}, {"first", task.first}, {"last", task.last}};
+std::vector<PointName> practiceNames(const PracticeTask& task) {
+    return {{task.p, "p"}, {task.first, "first"}, {task.last, "last"}};
 }
 
 PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove>& moves) {
@@ -201,8 +201,7 @@ PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove
     grade.section = stageSection(event->address.stage);
     grade.stage = stageName(event->address.stage);
     grade.address = toString(event->address);
-    const std::vector<NamedPoint> names = practiceNames(task);
-    grade.sentence = moveReasonText(*event, pointNames(names));
+    grade.sentence = moveReasonText(*event, practiceNames(task));
     return grade;
 }
 
@@ -213,7 +212,7 @@ LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGr
     answer.title = "Play a pivot";
     answer.kind = "play";
     answer.tries = 0;
-    const std::vector<NamedPoint> names = practiceNames(task);
+    const std::vector<PointName> names = practiceNames(task);
     for (const PlayMove& each : moves) answer.given.push_back(moveText(each, names));
     if (!grade.right) answer.wrong = {grade.section + ' ' + grade.stage};
     answer.right = grade.right;
@@ -224,7 +223,7 @@ LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGr
 
 Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& file,
                                         const PracticeTask& task) {
-    const std::vector<NamedPoint> names = practiceNames(task);
+    const std::vector<PointName> names = practiceNames(task);
     const std::size_t pointCount = task.points->size();
     std::vector<PlayMove> moves;
     io::LineReader lines(text);

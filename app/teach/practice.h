@@ -48,7 +48,7 @@ inline constexpr std::string_view kPracticePrefix = "practice:";
 std::optional<std::uint64_t> practiceSeed(std::string_view source);
 
 /// The names of its points: p, first and last.
-std::vector<NamedPoint> practiceNames(const PracticeTask& task);
+std::vector<PointName> practiceNames(const PracticeTask& task);
 
 /// The points of a task as a file with neighbor lists.
 PointFile practiceFile(const PracticeTask& task);

@@ -37,7 +37,7 @@ struct Grade {
 /// A question with the names of its points.
 struct QuestionContext {
     const Question& question;
-    const std::vector<NamedPoint>& names;
+    const std::vector<PointName>& names;
 };
 
 /// One kind of question.

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kResultFormat = "spiraling-edge lesson result";
 
 /// An answer in words that its kind reads back.
-std::vector<std::string> answerWords(const Answer& answer, const std::vector<NamedPoint>& names) {
+std::vector<std::string> answerWords(const Answer& answer, const std::vector<PointName>& names) {
     if (answer.choice) return {optionLetter(*answer.choice)};
     std::vector<std::string> moves;
     moves.reserve(answer.moves.size());
@@ -43,7 +43,7 @@ std::string withoutText(const std::string& what) { return "without " + what; }
 /// one that is missing.
 std::vector<std::string> mistakesIn(const GivenAnswer& answer, const Answer& given,
                                     const Answer& right, const Grade& grade,
-                                    const std::vector<NamedPoint>& names) {
+                                    const std::vector<PointName>& names) {
     if (answer.right) return {};
     if (answer.kind == "play") {
         const std::size_t alike = movesAlike(given.moves, right.moves);
@@ -189,7 +189,7 @@ std::string frequentFields(const WordCounts& words) {
 GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& given,
                          const RightAnswer& right) {
     GivenAnswer answer = emptyAnswer(lesson, step);
-    const std::vector<NamedPoint> names = settingOf(lesson, step).names;
+    const std::vector<PointName> names = settingOf(lesson, step).names;
     const Grade grade = gradeAnswer(*lesson.steps[step].question, given, right.answer);
     answer.given = answerWords(given, names);
     answer.wrong = namesOf(grade.wrong, names);
@@ -204,7 +204,7 @@ GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& g
 GivenAnswer roomAnswer(const Lesson& lesson, std::size_t step, std::vector<std::size_t> counts,
                        const RightAnswer& right) {
     GivenAnswer answer = emptyAnswer(lesson, step);
-    const std::vector<NamedPoint> names = settingOf(lesson, step).names;
+    const std::vector<PointName> names = settingOf(lesson, step).names;
     const Question& question = *lesson.steps[step].question;
     assert(counts.size() == question.options.size() && !counts.empty());
     answer.counts = std::move(counts);

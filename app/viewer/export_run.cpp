@@ -416,8 +416,7 @@ Status ExportRun::openStep(std::size_t step) {
     ui().settings.layers = layersOfStep(settings_.layers, file.lesson.steps[step]);
     session().select(selectionOfStep(file.lesson.steps[step], setting.names));
     names_ = setting.names;
-    pointNames_ = teach::pointNames(names_);
-    session().giveNames(pointNames_);
+    session().giveNames(names_);
     const bool split = ui().layoutPreset == LayoutPreset::Compare;
     const bool asks = file.lesson.steps[step].question.has_value();
     if (const Status compared =

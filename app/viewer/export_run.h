@@ -111,11 +111,10 @@ class ExportRun {
     FramePlan plan_;
     std::vector<std::size_t> steps_;  ///< Of the lesson, from 0; one per frame.
     teach::LessonRuns runs_;
-    FollowedDecision aimed_{};              ///< Decision of the step that the camera was aimed for.
-    bool ownView_ = false;                  ///< The step before has a camera of its own.
-    RunSpec opened_;                        ///< Input of the last step.
-    std::vector<teach::NamedPoint> names_;  ///< Of that step.
-    std::vector<PointName> pointNames_;     ///< They refer to `names_`.
+    FollowedDecision aimed_{};      ///< Decision of the step that the camera was aimed for.
+    bool ownView_ = false;          ///< The step before has a camera of its own.
+    RunSpec opened_;                ///< Input of the last step.
+    std::vector<PointName> names_;  ///< Of that step.
     Picture pixels_;
     Phase phase_ = Phase::Starting;
     std::size_t made_ = 0;

@@ -53,7 +53,7 @@ TEST_CASE("a lesson is read with title, text, steps, minutes and lines") {
     CHECK(lesson.title == "A title");
     CHECK(lesson.text == "Hello.\n");
     CHECK(lesson.input == "scene:figure-8");
-    CHECK(lesson.names == std::vector<NamedPoint>{{"p", 15}});
+    CHECK(lesson.names == std::vector<PointName>{{15, "p"}});
     REQUIRE(lesson.steps.size() == 2);
     CHECK(lesson.steps[0].title == "One");
     CHECK(lesson.steps[0].text == "Text [so](se:9.sphere.3).\n\nMore.\n");

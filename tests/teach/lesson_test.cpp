@@ -41,7 +41,7 @@ TEST_CASE("names and view are those of the figure unless the lesson gives others
     CHECK(viewDirection(first) == Vec3(0.0, 0.0, 1.0));
     CHECK(viewDirection(settingOf(lesson, 1)) == Vec3(-1.0, 0.0, 0.0));
     const StepSetting torus = settingOf(lesson, 2);
-    CHECK(torus.names == std::vector<NamedPoint>{{"a", 3}});
+    CHECK(torus.names == std::vector<PointName>{{3, "a"}});
     CHECK_FALSE(viewDirection(torus).has_value());
 }
 

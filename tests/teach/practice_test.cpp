@@ -92,7 +92,7 @@ TEST_CASE("points that start has passed are neither kept nor removed") {
 }
 
 TEST_CASE("moves read back as they are written, by names too") {
-    const std::vector<NamedPoint> names{{"q", 46}, {"t", 9}};
+    const std::vector<PointName> names{{46, "q"}, {9, "t"}};
     for (const std::string_view text :
          {"start 5", "end 0", "keep q", "remove t", "fan 1 t q 2", "fan none", "next none"})
         CHECK(moveText(moveFromText(text, names).value(), names) == text);

@@ -58,7 +58,7 @@ TEST_CASE("one point, a choice and a number are right or wrong") {
 
 TEST_CASE("played moves are graded up to the first that differs") {
     const Question play = questionOf("play");
-    const QuestionContext context{play, {{"q", 46}, {"t", 9}}};
+    const QuestionContext context{play, {{46, "q"}, {9, "t"}}};
     const QuestionKind& kind = *findQuestionKind("play");
     const Answer right =
         kind.read({"keep t", "remove q", "fan 20 t 39", "next 39"}, context).value();
@@ -82,7 +82,7 @@ TEST_CASE("played moves are graded up to the first that differs") {
 TEST_CASE("the option of a room is that whose text is the answer") {
     Question question = questionOf("points");
     question.options = {"q", "t, s", "t s r"};
-    const std::vector<NamedPoint> names{{"q", 46}, {"t", 9}, {"s", 31}, {"r", 35}};
+    const std::vector<PointName> names{{46, "q"}, {9, "t"}, {31, "s"}, {35, "r"}};
     const QuestionContext context{question, names};
     CHECK(rightOption(context, pointsAnswer({31, 9})) == 1);
     CHECK(rightOption(context, pointsAnswer({9, 31, 35})) == 2);
@@ -94,7 +94,7 @@ TEST_CASE("the option of a room is that whose text is the answer") {
 TEST_CASE("each kind writes an answer that it reads back") {
     Question question = questionOf("choice");
     question.options = {"one", "two"};
-    const std::vector<NamedPoint> names{{"q", 46}};
+    const std::vector<PointName> names{{46, "q"}};
     const QuestionContext context{question, names};
     const auto textOf = [&](std::string_view kind, const Answer& answer) {
         return findQuestionKind(kind)->text(answer, context);

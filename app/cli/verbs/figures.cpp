@@ -50,7 +50,7 @@ struct FigureText {
 
 std::string namesText(const Figure& figure) {
     std::string text;
-    for (const PointName& each : figure.names)
+    for (const PointName& each : figure.pointNames())
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", each.name, each.point);
     return text;
 }

@@ -96,7 +96,7 @@ Json taskJson(const PracticeTask& task) {
 }
 
 Answer solutionAnswer(const PracticeTask& task) {
-    const std::vector<teach::NamedPoint> names = teach::practiceNames(task);
+    const std::vector<PointName> names = teach::practiceNames(task);
     Answer answer{"", Json::array()};
     for (const teach::RunMove& each : task.solution) {
         const std::string address = toString(each.event.address);

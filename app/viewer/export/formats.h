@@ -52,7 +52,7 @@ struct FrameDial {
 struct FrameStep {
     const teach::Lesson& lesson;
     std::size_t step = 0;  ///< From 0.
-    std::vector<teach::NamedPoint> names;
+    std::vector<PointName> names;
     std::filesystem::path folder;               ///< Of the lesson's images.
     const teach::RightAnswer* right = nullptr;  ///< Of its question; null: none.
 };

@@ -167,7 +167,7 @@ struct PageStep {
 Json questionJson(const FrameStep& step) {
     const teach::Question& question = *step.lesson.steps[step.step].question;
     Json names = Json::object();
-    for (const teach::NamedPoint& each : step.names) names[each.name] = each.point;
+    for (const PointName& each : step.names) names[each.name] = each.point;
     Json right = Json::object();
     const teach::Answer& answer = step.right->answer;
     if (answer.choice) {

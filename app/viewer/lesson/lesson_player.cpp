@@ -82,8 +82,7 @@ LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step) {
     return layers;
 }
 
-Selection selectionOfStep(const teach::LessonStep& step,
-                          const std::vector<teach::NamedPoint>& names) {
+Selection selectionOfStep(const teach::LessonStep& step, const std::vector<PointName>& names) {
     std::vector<Index> points;
     points.reserve(step.select.size());
     for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
@@ -330,7 +329,7 @@ void LessonPlayer::enter() {
     const teach::LessonStep& step = walk().shownStep();
     home_ = session.address();
     walk().setPointCount(session.model().points.size());
-    session.giveNames(walk().names());
+    session.giveNames(walk().setting().names);
     session.alerts().choose(std::nullopt);
     session.select(selectionOfStep(step, walk().setting().names));
     choices_.pinLayers(step);

@@ -46,8 +46,7 @@ LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step);
 LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step);
 
 /// The points that a step selects; nothing if it selects none.
-Selection selectionOfStep(const teach::LessonStep& step,
-                          const std::vector<teach::NamedPoint>& names);
+Selection selectionOfStep(const teach::LessonStep& step, const std::vector<PointName>& names);
 
 /// Camera of a step: its own, or one that frames the decision or all, from the direction of its
 /// view. Fails if its own is no position.

@@ -67,7 +67,6 @@ void LessonWalk::goTo(std::size_t step) {
     states_[step_].seconds = open_;
     step_ = std::min(step, lesson().steps.size() - 1);
     setting_ = teach::settingOf(lesson(), step_);
-    names_ = teach::pointNames(setting_.names);
     open_ = state().seconds;
 }
 
@@ -156,7 +155,7 @@ std::string LessonWalk::tryText() const {
     const Event* against = decisionAgainstTry();
     if (against == nullptr) return upTo + "Another move follows.";
     return upTo + "Section " + sectionOf(*against) + ": " +
-           withShortNumbers(teach::moveReasonText(*against, names()));
+           withShortNumbers(teach::moveReasonText(*against, setting_.names));
 }
 
 void LessonWalk::choose(std::size_t option) {

@@ -43,8 +43,6 @@ class LessonWalk {
     const teach::LessonStep& shownStep() const { return lesson().steps[step_]; }
     /// Input, rules, names and position of the step.
     const teach::StepSetting& setting() const { return setting_; }
-    /// Names of points; they refer to setting().
-    const std::vector<PointName>& names() const { return names_; }
     /// To a step, from 0, or to the last one.
     void goTo(std::size_t step);
 
@@ -102,7 +100,6 @@ class LessonWalk {
     std::shared_ptr<const OpenedLesson> opened_;
     std::size_t step_ = 0;
     teach::StepSetting setting_;
-    std::vector<PointName> names_;
     std::vector<QuestionState> states_;  ///< By step.
     std::size_t pointCount_ = kNone;
     double open_ = 0.0;  ///< Seconds for which the question has been open.

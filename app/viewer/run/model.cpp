@@ -88,11 +88,10 @@ Result<PointFile> unpackPoints(const RunSpec& spec, Model& model) {
 /// Letters name the points of one pivot; numbers, and the letters of a figure with a given start,
 /// name them in the whole run.
 void nameLikeFigure(Model& model, const Figure& figure) {
-    model.names = figure.names;
+    model.names = figure.pointNames();
     const auto address = addressFromString(figure.scene.address);
-    const bool numbers =
-        !figure.names.empty() &&
-        std::isdigit(static_cast<unsigned char>(figure.names[0].name.front())) != 0;
+    const bool numbers = !model.names.empty() &&
+                         std::isdigit(static_cast<unsigned char>(model.names[0].name.front())) != 0;
     if (address && !numbers && figure.scene.start == nullptr) model.namesIn = address->pivot;
 }
 

@@ -58,8 +58,8 @@ struct Model {
     std::string name;   ///< File name, scene id or "torus, 4 000 points", for title and menu.
     std::string hash;   ///< Of the input, see hashOfPoints().
     std::string watch;  ///< One sentence of a scene; empty for files.
-    std::span<const PointName> names = {};  ///< Of points of a figure.
-    std::uint32_t namesIn = 0;              ///< The only pivot that has these names; 0: all.
+    std::vector<PointName> names = {};  ///< Of points of a figure.
+    std::uint32_t namesIn = 0;          ///< The only pivot that has these names; 0: all.
     PointSet points;
     Params params;
     PrepareReport report;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "spiraling_edge/base/types.h"
 
@@ -13,14 +12,15 @@ namespace se {
 /// The name of one point.
 struct PointName {
     Index point = kNone;
-    std::string_view name;
+    std::string name;
+    friend bool operator==(const PointName&, const PointName&) = default;
 };
 
 /// The name of a point: its number where `names` has none for it, "none" for kNone.
 inline std::string nameOf(Index point, std::span<const PointName> names) {
     const auto named = std::find_if(names.begin(), names.end(),
                                     [&](const PointName& each) { return each.point == point; });
-    if (named != names.end()) return std::string(named->name);
+    if (named != names.end()) return named->name;
     return point == kNone ? "none" : std::to_string(point);
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 
 namespace se {
@@ -312,28 +313,21 @@ GivenStart figure20Start() {
 
 // ---- names --------------------------------------------------------------------------------------
 
-constexpr PointName kNumbers[] = {{0, "1"},   {1, "2"},   {2, "3"},   {3, "4"},   {4, "5"},
-                                  {5, "6"},   {6, "7"},   {7, "8"},   {8, "9"},   {9, "10"},
-                                  {10, "11"}, {11, "12"}, {12, "13"}, {13, "14"}, {14, "15"},
-                                  {15, "16"}, {16, "17"}, {17, "18"}};
-constexpr PointName kNames3[] = {{0, "p"}, {1, "first"}, {2, "last"},
-                                 {3, "t"}, {4, "r"},     {7, "r'"}};
-constexpr PointName kNames4[] = {{0, "p"}, {1, "first"}, {2, "last"}, {5, "q"},
-                                 {6, "t"}, {8, "s"},     {9, "r"}};
-constexpr PointName kNames5[] = {{0, "p"}, {1, "1"}, {2, "2"}, {3, "r"}, {4, "last"}};
-constexpr PointName kNames6[] = {{0, "p"}, {1, "pfirst"}, {2, "plast"},
-                                 {5, "e"}, {7, "efirst"}, {6, "elast"}};
-constexpr PointName kNames7[] = {{0, "p"}, {1, "first"}, {2, "last"}, {3, "r"}, {4, "q"}};
-constexpr PointName kNames8[] = {{15, "p"}, {20, "first"}, {9, "t"},    {46, "q"},
-                                 {31, "s"}, {35, "r"},     {39, "last"}};
-constexpr PointName kNames9[] = {{0, "p"}, {1, "first"}, {2, "last"}};
-constexpr PointName kNames11[] = {{0, "p"},   {1, "first"}, {2, "last"}, {5, "start"},
-                                  {6, "end"}, {7, "t"},     {8, "s"}};
-constexpr PointName kNames14[] = {{0, "p"}, {4, "first"}, {46, "q"}};
-constexpr PointName kNames17[] = {{58, "p"}, {75, "t"}, {74, "q"}};
-constexpr PointName kNames18[] = {{66, "p"}, {74, "q"}, {75, "r"}};
-constexpr PointName kNames19[] = {{49, "p"}, {14, "q"}, {45, "r"}};
-constexpr PointName kNames20[] = {{0, "p"}, {2, "q"}, {3, "r"}};
+constexpr std::string_view kNumbers =
+    "0 1 1 2 2 3 3 4 4 5 5 6 6 7 7 8 8 9 9 10 10 11 11 12 12 13 13 14 14 15 15 16 16 17 17 18";
+constexpr std::string_view kNames3 = "0 p 1 first 2 last 3 t 4 r 7 r'";
+constexpr std::string_view kNames4 = "0 p 1 first 2 last 5 q 6 t 8 s 9 r";
+constexpr std::string_view kNames5 = "0 p 1 1 2 2 3 r 4 last";
+constexpr std::string_view kNames6 = "0 p 1 pfirst 2 plast 5 e 7 efirst 6 elast";
+constexpr std::string_view kNames7 = "0 p 1 first 2 last 3 r 4 q";
+constexpr std::string_view kNames8 = "15 p 20 first 9 t 46 q 31 s 35 r 39 last";
+constexpr std::string_view kNames9 = "0 p 1 first 2 last";
+constexpr std::string_view kNames11 = "0 p 1 first 2 last 5 start 6 end 7 t 8 s";
+constexpr std::string_view kNames14 = "0 p 4 first 46 q";
+constexpr std::string_view kNames17 = "58 p 75 t 74 q";
+constexpr std::string_view kNames18 = "66 p 74 q 75 r";
+constexpr std::string_view kNames19 = "49 p 14 q 45 r";
+constexpr std::string_view kNames20 = "0 p 2 q 3 r";
 
 // ---- expectations -------------------------------------------------------------------------------
 
@@ -747,6 +741,14 @@ constexpr std::array kFigures{
 };
 
 }  // namespace
+
+std::vector<PointName> Figure::pointNames() const {
+    std::vector<PointName> list;
+    const std::vector<std::string> words = io::wordsIn(names);
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2)
+        list.push_back({numberIn<Index>(words[i]).value_or(kNone), words[i + 1]});
+    return list;
+}
 
 std::span<const Figure> figures() { return kFigures; }
 

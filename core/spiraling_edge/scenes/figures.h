@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/points/point_name.h"
@@ -43,8 +44,8 @@ struct Figure {
     /// Title, caption in our words (`watch`), points, given start and address of the decision. Of a
     /// figure of the paper's results (21 to 25), the title and the caption alone.
     Scene scene;
-    Vec3 view{0.0, 0.0, 1.0};  ///< Direction from which it is seen: from its points to the eye.
-    std::span<const PointName> names = {};
+    Vec3 view{0.0, 0.0, 1.0};     ///< Direction from which it is seen: from its points to the eye.
+    std::string_view names = {};  ///< Of points, each after its number: "15 p 20 first".
     std::span<const FigureExpectation> expectations = {};
     FigureRule rule = {};           ///< The rule that it is about.
     std::string_view absence = {};  ///< What happens without it,
@@ -60,6 +61,7 @@ struct Figure {
 
     /// True if its points are built in.
     bool hasScene() const { return scene.build != nullptr; }
+    std::vector<PointName> pointNames() const;
 };
 
 /// The figures of the paper, 1 to 25, in their order.

@@ -86,14 +86,15 @@ std::vector<CheckedExpectation> unseen(std::span<const FigureExpectation> expect
 
 FigureRun runOf(const Figure& figure, const PointSet& points, const Params& params) {
     FigureRun run{unseen(figure.expectations), unseen(figure.without), {}};
+    const std::vector<PointName> names = figure.pointNames();
     const auto note = [&](const Event& event) {
         const std::string address = toString(event.address);
         for (auto* list : {&run.expectations, &run.without}) {
             for (CheckedExpectation& each : *list) {
                 if (each.expected.address != address) continue;
-                each.found = describe(event, figure.names);
+                each.found = describe(event, names);
                 each.holds = outcomeText(event) == each.expected.outcome &&
-                             pointsText(event, figure.names) == each.expected.points;
+                             pointsText(event, names) == each.expected.points;
             }
         }
     };

@@ -95,8 +95,8 @@ TEST_CASE("figures: names are those of points that exist, none twice") {
     for (const Figure& figure : figures()) {
         CAPTURE(figure.number);
         std::set<Index> points;
-        std::set<std::string_view> names;
-        for (const PointName& each : figure.names) {
+        std::set<std::string> names;
+        for (const PointName& each : figure.pointNames()) {
             CHECK(each.point < figure.scene.build().position.size());
             CHECK(points.insert(each.point).second);
             CHECK(names.insert(each.name).second);
@@ -181,9 +181,9 @@ TEST_CASE("sentences name the points of a figure") {
     CHECK(checked[1].found.starts_with(
         "Point q lies 0.26303 outside the sphere of the pivot, t and s"));
     const Event made{{1, Stage::Emit, 1}, EmitEvidence{0, {15, 20, 7}}};
-    CHECK(describe(made, figure.names) == "Triangle 0 = (p, first, 7).");
+    CHECK(describe(made, figure.pointNames()) == "Triangle 0 = (p, first, 7).");
     CHECK(describe(made) == "Triangle 0 = (15, 20, 7).");
-    CHECK(nameOf(kNone, figure.names) == "none");
+    CHECK(nameOf(kNone, figure.pointNames()) == "none");
     // A point is called r: the measures of the sphere are written out.
     CHECK(checked[1].found.find("(distance = ") != std::string::npos);
     CHECK(checked[1].found.find(", radius = ") != std::string::npos);
@@ -244,7 +244,7 @@ TEST_CASE("figure 4: without the limits s and r are removed anyway") {
 TEST_CASE("figure 6: e's first is after it on the ring, e's last before it, as printed") {
     const Figure& figure = *findFigure(6);
     const auto pointCalled = [&](std::string_view name) {
-        for (const PointName& each : figure.names) {
+        for (const PointName& each : figure.pointNames()) {
             if (each.name == name) return each.point;
         }
         return kNone;
@@ -352,10 +352,11 @@ TEST_CASE(
 
 TEST_CASE("figure 17: the ring runs from a wall over the corner to the next wall") {
     const Figure& figure = *findFigure(17);
-    REQUIRE(figure.names.size() == 3);
-    const Index p = figure.names[0].point;
-    const Index t = figure.names[1].point;
-    const Index q = figure.names[2].point;
+    const std::vector<PointName> names = figure.pointNames();
+    REQUIRE(names.size() == 3);
+    const Index p = names[0].point;
+    const Index t = names[1].point;
+    const Index q = names[2].point;
     const PointSet points = sceneNamed("figure-17");
     CHECK(points.type[p] == kPositiveX);
     CHECK(points.type[t] == withCornerBit(kPositiveX | kPositiveY));

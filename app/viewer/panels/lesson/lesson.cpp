@@ -387,7 +387,7 @@ void drawHands(const PanelContext& context, LessonWalk& walk) {
 std::string exampleOfPoints(const LessonWalk& walk) {
     const std::size_t most = walk.question()->kind == "point" ? 1 : 3;
     std::vector<std::string> words;
-    for (const teach::NamedPoint& each : walk.setting().names) {
+    for (const PointName& each : walk.setting().names) {
         const bool isCandidate = each.name != "p" && each.name != "first" && each.name != "last";
         if (isCandidate && words.size() < most) words.push_back(each.name);
     }
@@ -502,7 +502,8 @@ void drawSolution(const PanelContext& context, const LessonWalk& walk) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
         ImGui::PushID(static_cast<int>(i));
         if (selectable(context, teach::moveText(moves[i].move, walk.setting().names), false,
-                       "solution " + std::to_string(i + 1), describe(moves[i].event, walk.names())))
+                       "solution " + std::to_string(i + 1),
+                       describe(moves[i].event, walk.setting().names)))
             context.commands.lesson.follow(address);
         ImGui::PopID();
         ImGui::PopStyleColor();
@@ -546,9 +547,10 @@ void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
         ImGui::PushStyleColor(ImGuiCol_Text,
                               toVec4(agrees ? context.palette.used : context.palette.rejected));
         const std::string label = (agrees ? "\xE2\x9C\x93 " : "\xE2\x9C\x97 ") +
-                                  withShortNumbers(describe(event, walk.names()));
+                                  withShortNumbers(describe(event, walk.setting().names));
         const std::string shown = fittedWords(label, ImGui::GetContentRegionAvail().x);
-        if (selectable(context, shown, false, "decision " + address, describe(event, walk.names())))
+        if (selectable(context, shown, false, "decision " + address,
+                       describe(event, walk.setting().names)))
             context.commands.lesson.follow(address);
         ImGui::PopStyleColor();
         ImGui::PopID();
