@@ -182,13 +182,6 @@ std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
 Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
     const std::vector<Triangle>& mesh, const Progress& progress) {
-    for (const MeshFailure& each : failures) {
-        const bool other = std::any_of(each.triangles.begin(), each.triangles.end(),
-                                       [&](Index i) { return i >= mesh.size(); }) ||
-                           std::any_of(each.points.begin(), each.points.end(),
-                                       [&](Index p) { return p >= points.size(); });
-        if (other) return Error{"This failure is of another mesh."};
-    }
     if (failures.empty()) return std::vector<std::optional<FailureMoments>>{};
     Finders finders(points, params, mesh, failures);
     const auto end = sweep(
@@ -255,15 +248,6 @@ Result<RunFailureSearch> searchIn(const PointSet& points, const Params& params,
 }
 
 }  // namespace
-
-Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
-                                 const MeshFailure& failure, const std::vector<Triangle>& mesh,
-                                 const Progress& progress) {
-    const auto all = momentsOfAll(points, params, std::span(&failure, 1), mesh, progress);
-    if (!all) return all.error();
-    if (all.value().front()) return *all.value().front();
-    return Error{"This failure does not come from this run: its points are never touched."};
-}
 
 void RunCounts::add(const SweptPivot& pivot) {
     events_ += pivot.events.size();

@@ -11,17 +11,8 @@
 
 namespace se {
 
-/// The moments of one failure, in the order of a search for its cause.
-struct FailureMoments {
-    /// The failure exists: its last triangle is made, or its point or ring is done.
-    LedgerLine created;
-    LedgerLine decided;  ///< The last decision that it depends on, by the rules of momentsOf().
-    LedgerLine touched;  ///< The first event about its points.
-};
-
-/// Finds the moments by running again. `mesh` is the mesh of the run, and `failure` was found in
-/// it. Fails if the failure is not one of this mesh, or if cancelled. The last decision
-/// that a failure depends on is:
+/// The moments of one failure, in the order of a search for its cause. The last decision that a
+/// failure depends on is:
 /// - a faulty triangle: the last test in its pivot that took one of its corners, removed a
 ///   candidate between two of them, or made a triangle of the first and last point alone (§6.4);
 /// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of; if
@@ -29,9 +20,12 @@ struct FailureMoments {
 /// - a hole, a ring left over: the last time that a fan, or a test between two points of the loop,
 ///   was refused.
 /// For an edge of several triangles the third triangle counts, or the second in one direction.
-Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
-                                 const MeshFailure& failure, const std::vector<Triangle>& mesh,
-                                 const Progress& progress = {});
+struct FailureMoments {
+    /// The failure exists: its last triangle is made, or its point or ring is done.
+    LedgerLine created;
+    LedgerLine decided;  ///< The last decision that it depends on.
+    LedgerLine touched;  ///< The first event about its points.
+};
 
 /// One failure of a run.
 struct RunFailure {

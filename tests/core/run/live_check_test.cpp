@@ -73,13 +73,14 @@ TEST_CASE("live: what the inspection finds at the end was noticed when it was cr
         CAPTURE(each.scene.id);
         const PointSet points = prepared(each.scene.build());
         const Watched run = watch(points, paper());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
         std::size_t asked = 0;
-        for (const MeshFailure& failure : inspectMesh(points, run.mesh)) {
-            if (!isLive(failure) || ++asked > (kSanitized ? 5U : 60U)) continue;
+        for (const auto& [failure, position, corners, moments] : all.value()) {
+            if (!isLive(failure)) continue;
+            ++asked;
             CAPTURE(describe(failure));
-            const auto moments = momentsOf(points, paper(), failure, run.mesh);
-            REQUIRE(moments.ok());
-            const Address created = moments.value().created.event.address;
+            const Address created = moments.created.event.address;
             CAPTURE(toString(created));
             const bool noticed =
                 std::any_of(run.failures.begin(), run.failures.end(), [&](const LiveFailure& live) {

@@ -19,24 +19,16 @@ using namespace se::test;
 
 namespace {
 
-FailureMoments momentsIn(const PointSet& points, const Params& params, const MeshFailure& failure,
-                         const std::vector<Triangle>& mesh) {
-    const auto moments = momentsOf(points, params, failure, mesh);
-    REQUIRE(moments.ok());
-    return moments.value();
-}
-
 /// The failure of this class whose decision is the one that the gallery names.
 bool leadsTo(const FailureScene& each) {
-    const PointSet points = prepared(each.scene.build());
-    const Run run = runAll(points, paper());
-    for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
-        if (failure.kind->name != each.failure) continue;
-        const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
+    const auto all = failuresOfRun(prepared(each.scene.build()), paper());
+    REQUIRE(all.ok());
+    for (const RunFailure& found : all.value()) {
+        if (found.failure.kind->name != each.failure) continue;
         const std::uint32_t pivot = addressFromString(each.address)->pivot;
-        const auto& at = moments.decided.event.address;
+        const auto& at = found.moments.decided.event.address;
         if (toString(at) == each.address || at.pivot == pivot ||
-            moments.created.event.address.pivot == pivot)
+            found.moments.created.event.address.pivot == pivot)
             return true;
     }
     return false;
@@ -57,13 +49,10 @@ TEST_CASE("moments: touched first, then decided, then created") {
         for (const FailureScene& each : failureScenes()) {
             CAPTURE(set);
             CAPTURE(each.scene.id);
-            const PointSet points = prepared(each.scene.build());
-            const Run run = runAll(points, params);
-            std::size_t asked = 0;
-            for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
-                if (++asked > (kSanitized ? 5U : 40U)) break;
+            const auto all = failuresOfRun(prepared(each.scene.build()), params);
+            REQUIRE(all.ok());
+            for (const auto& [failure, position, corners, moments] : all.value()) {
                 CAPTURE(describe(failure));
-                const FailureMoments moments = momentsIn(points, params, failure, run.state.mesh());
                 const auto pivot = [](const LedgerLine& line) { return line.event.address.pivot; };
                 CHECK(pivot(moments.touched) <= pivot(moments.decided));
                 CHECK(pivot(moments.decided) <= pivot(moments.created));
@@ -75,35 +64,25 @@ TEST_CASE("moments: touched first, then decided, then created") {
 TEST_CASE("moments: the hole of four was made by the point that was kept behind it") {
     const FailureScene& each = failureScenes()[0];
     REQUIRE(each.scene.id == "four-edge-hole");
-    const PointSet points = prepared(each.scene.build());
-    const Run run = runAll(points, paper());
-    for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
+    const auto all = failuresOfRun(prepared(each.scene.build()), paper());
+    REQUIRE(all.ok());
+    for (const auto& [failure, position, corners, moments] : all.value()) {
         if (failure.kind->name != each.failure || failure.triangles.back() != 196) continue;
-        const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
         CHECK(toString(moments.created.event.address) == "54.emit.1");
         CHECK(toString(moments.decided.event.address) == each.address);
         CHECK(testedPoint(moments.decided.event) == 63);
     }
 }
 
-TEST_CASE("moments: a failure of another mesh, and a cancelled search") {
+TEST_CASE("moments: a cancelled search") {
     const PointSet points = prepared(failureScenes()[0].scene.build());
-    const Run run = runAll(points, paper());
-    const auto failures = inspectMesh(points, run.state.mesh());
-    REQUIRE_FALSE(failures.empty());
-    CHECK_FALSE(momentsOf(points, paper(), failures[0], {}).ok());
-    CHECK_FALSE(momentsOf(points, paper(), failures[0], run.state.mesh(), [](double) {
-                    return false;
-                }).ok());
+    for (const double end : {0.0, 0.5}) {
+        const auto goOn = [&](double share) { return share < end; };
+        CHECK_FALSE(searchFailures(points, paper(), goOn).ok());
+    }
 }
 
-namespace {
-
-bool same(const LedgerLine& a, const LedgerLine& b) { return a.event.address == b.event.address; }
-
-}  // namespace
-
-TEST_CASE("moments: all failures at once have the moments that each has alone") {
+TEST_CASE("moments: the failures of a run are those of its mesh, in the same order") {
     for (const char* scene : {"four-edge-hole", "noise", "stranded-point"}) {
         CAPTURE(scene);
         const PointSet points = prepared(findScene(scene)->build());
@@ -115,15 +94,7 @@ TEST_CASE("moments: all failures at once have the moments that each has alone") 
         for (const RunFailure& each : all.value()) {
             if (each.failure.kind->find == nullptr) continue;
             REQUIRE(next < inMesh.size());
-            CHECK(each.failure.points == inMesh[next].points);
-            if (next % 16 == 0) {
-                const FailureMoments alone =
-                    momentsIn(points, paper(), inMesh[next], run.state.mesh());
-                CHECK(same(each.moments.created, alone.created));
-                CHECK(same(each.moments.decided, alone.decided));
-                CHECK(same(each.moments.touched, alone.touched));
-            }
-            ++next;
+            CHECK(each.failure.points == inMesh[next++].points);
         }
         CHECK(next == inMesh.size());
     }
