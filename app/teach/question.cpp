@@ -19,8 +19,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 std::vector<Index> sortedSet(std::vector<Index> points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sortUnique(points);
     return points;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/second_layer.h"
@@ -226,8 +227,7 @@ class LiveCheck::Checker {
             const Triangle& t = triangles_[i];
             points.insert(points.end(), {t.a, t.b, t.c});
         }
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        sortUnique(points);
         add(kind, number, other == number ? kNone : other, std::move(points));
     }
     void add(std::string_view kind, Index number, Index other, std::vector<Index> points) {

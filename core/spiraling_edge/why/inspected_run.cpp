@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/run/reading.h"
 
 namespace se {
@@ -22,8 +23,7 @@ std::optional<FreedRing> FreedRings::add(const Event& event) {
     } else if (const auto* alert = as<AlertEvidence>(event)) {
         if (alert->kind == AlertKind::TriangleCap) return FreedRing{*alert, {alert->point}, event};
         std::vector<Index> points = leaving_;
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        sortUnique(points);
         return FreedRing{*alert, std::move(points), freed_.value_or(event)};
     }
     return {};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/why/origin_decisions.h"
 
 namespace se {
@@ -53,8 +54,7 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
     if (kind_ == Kind::Triangle) {
         for (const Triangle& t : triangles_) points_.insert(points_.end(), {t.a, t.b, t.c});
     }
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    sortUnique(points_);
     watched_ = points_;
     if (kind_ != Kind::Point) return;
     for (const Index p : failure.points) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/spec/run_spec.h"
@@ -212,8 +213,7 @@ std::vector<std::uint32_t> placesOf(const Ledger& ledger, std::uint32_t last) {
         if (each.role == LineRole::Made && places.size() < kMostPlaces)
             places.push_back(each.event.address.pivot);
     }
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+    sortUnique(places);
     return places;
 }
 
