@@ -96,7 +96,7 @@ struct WhyArguments : AnswerOptions {
 
     /// The scope of proofs for the run of a file's points; both must outlive it.
     ProofScope proofScope(const PointFile& file, const PreparedInput& run) const {
-        ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
+        ProofScope scope = more ? ProofScope::wide() : ProofScope{};
         scope.alternatives = [&](const Progress& progress) -> Result<Alternatives> {
             const auto judge = judgeOf(file, run, progress);
             if (!judge) return judge.error();

@@ -171,7 +171,7 @@ py::object whyOf(const SharedRun& run, const std::vector<Index>& points, bool mo
                                 : Subject::triangle(points.at(0), points.at(1), points.at(2));
     const Ledger ledger =
         require<std::invalid_argument>(longCall(report, [&](const Progress& progress) {
-            ProofScope scope = more ? ProofScope{200, 100.0} : ProofScope{};
+            ProofScope scope = more ? ProofScope::wide() : ProofScope{};
             scope.alternatives = [&](const Progress& part) -> Result<Alternatives> {
                 return alternativesOf(*run->file, run->spec, judgeOf(*run, part), run->leaveOut);
             };

@@ -21,6 +21,9 @@ struct ProofScope {
     /// Found when a change is looked for that prevents the answer. Preparations are tried where no
     /// rule does; without a judge meshes are judged as by PointSet::judge. May be empty.
     std::function<Result<Alternatives>(const Progress&)> alternatives = {};
+
+    /// The scope of --more.
+    static ProofScope wide() { return {200, 100.0}; }
 };
 inline constexpr std::uint64_t kLeastProofSteps = 500'000;
 inline constexpr std::uint64_t kLeastChangeSteps = 1'000'000;
