@@ -224,6 +224,8 @@ rims_are_found_on_request() {
         x = i + j / 2; y = j * 0.8660254; if (x * x + y * y < 67) print x, y, 0, 0, 0, 1 } }' >disc.xyz
     expect 0 run disc.xyz --derive-rim -o disc.ply
     says err "1 rim with"
+    expect 0 run scene:sphere --derive-rim
+    says err "no rim"
     expect 0 run disc.xyz --derive-rim --report disc.json
     grep -q '"rim_chains": 1' disc.json || fail "the report does not count the rim"
     grep -q '"boundary_loops": 1' disc.json || fail "the disc has more than one border"

@@ -187,7 +187,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
 }
 
 void addRules(const RunOutcome& outcome, Json& json) {
-    Json rules = {{"set", outcome.ruleSet}};
+    Json rules = {{"set", outcome.spec.rules}};
     for (const RuleSetting& rule : ruleSettings())
         rules[std::string(rule.name)] = ruleJson(rule, rule.get(outcome.params));
     rules["drop_opposing_normals"] = outcome.params.dropOpposingNormals;
@@ -226,8 +226,10 @@ std::string leftOverSentence(const RunOutcome& outcome) {
     return text;
 }
 
-/// "normals (in 2 parts), wall types"; empty if the file had all. Neighbor lists are not listed.
-std::string derivedSentence(const DerivedPieces& derived) {
+/// "normals, oriented in 2 parts, wall types", "no rim" of --derive-rim; empty if the file had all.
+/// Neighbor lists are not listed.
+std::string derivedSentence(const RunOutcome& outcome) {
+    const DerivedPieces& derived = outcome.prepared.derived;
     std::string text;
     if (derived.normals) {
         appendPart(text, fmt::format("normals, oriented in {}",
@@ -244,6 +246,8 @@ std::string derivedSentence(const DerivedPieces& derived) {
     if (derived.rim) {
         appendPart(text, fmt::format("{} with {}", counted(derived.rimChains, "rim"),
                                      counted(derived.rimPoints, "point")));
+    } else if (outcome.spec.rim) {
+        appendPart(text, "no rim");
     }
     return text;
 }
@@ -345,7 +349,7 @@ std::string summaryText(const RunOutcome& outcome) {
     summary.line("kept", keptSentence(outcome.read));
     summary.line("set aside", setAsideSentence(outcome.prepared.aside));
     summary.line("normals", averagedText(outcome.prepared.averagedNormals));
-    summary.line("derived", derivedSentence(outcome.prepared.derived));
+    summary.line("derived", derivedSentence(outcome));
     summary.line("left over", leftOverSentence(outcome));
     summary.line("open", openSentence(outcome.mesh()));
     if (outcome.judge) summary.line("judged", departureText(*outcome.judge));

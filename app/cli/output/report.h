@@ -30,7 +30,7 @@ struct RunOutcome {
     InputPiece read;
     /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;
-    std::string ruleSet;
+    RunSpec spec;                  ///< Of the run, with --best the best.
     std::optional<Trials> trials;  ///< Of --best.
     Params params;
     PrepareReport prepared;

@@ -293,7 +293,7 @@ ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, Progres
         const Trial& best = outcome.trials->tried[outcome.trials->best];
         chosen = {changed(named, best.change), best.leaveOut};
     }
-    outcome.ruleSet = chosen.spec.rules;
+    outcome.spec = chosen.spec;
     outcome.params = paramsFrom(chosen.spec);
     return chosen;
 }
