@@ -13,6 +13,7 @@
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "support/invariant_checker.h"
 #include "support/rig.h"
 
@@ -87,6 +88,17 @@ inline PointSet prepared(const PointFile& file, const NeighborOptions& options =
 }
 
 /// The points of a built-in scene.
+/// The points as `spiraling-edge run` prepares them by this spec.
+inline Prepared preparedBy(const RunSpec& spec, const PointFile& file) {
+    const Params params = paramsOf(spec).value();
+    Result<Prepared> result = prepare(file, prepareOptionsOf(spec, params, file).value());
+    REQUIRE_MESSAGE(result.ok(), result.error().message);
+    return std::move(result.value());
+}
+/// The same by a set of rules.
+inline Prepared preparedBy(const char* rules, const PointFile& file) {
+    return preparedBy(withSet({}, rules), file);
+}
 inline PointSet sceneNamed(std::string_view id) { return prepared(findScene(id)->build()); }
 
 /// The params with the start of a built-in scene.

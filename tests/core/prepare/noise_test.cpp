@@ -15,15 +15,6 @@ using namespace se::test;
 
 namespace {
 
-/// The points as prepared by `spiraling-edge run` with these rules.
-Prepared prepareFor(const char* rules, const PointFile& file) {
-    PrepareOptions options;
-    options.setNoiseAside = paramsByName(rules)->setNoiseAside;
-    Result<Prepared> result = prepare(file, options);
-    REQUIRE_MESSAGE(result.ok(), result.error().message);
-    return std::move(result.value());
-}
-
 /// Points at random on the unit sphere, moved along the normal by about `width` spacings, with
 /// normals that are off by up to 17 degrees.
 PointFile noisySphere(std::size_t count, double width, std::uint64_t seed) {
@@ -46,10 +37,10 @@ PointFile noisySphere(std::size_t count, double width, std::uint64_t seed) {
 TEST_CASE("noise: smooth surfaces have little, however they bend, and lose no point") {
     for (const Family& family : closedFamilies()) {
         const PointFile file = family.sample(1);
-        const Prepared prepared = prepareFor("robust", file);
+        const Prepared prepared = preparedBy("robust", file);
         CHECK_MESSAGE(prepared.report.noise < 0.35, family.name);
         CHECK_MESSAGE(prepared.report.count(Aside::Noise) == 0, family.name);
-        CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
+        CHECK(prepared.points.normal == preparedBy("paper", file).points.normal);
     }
 }
 
@@ -61,18 +52,18 @@ TEST_CASE("noise: is the height of the neighbors in spacings") {
         for (int j = 0; j < 30; ++j) file.position.emplace_back(i, j, (i + j) % 2 == 0 ? 0 : 0.5);
     }
     file.normal.assign(file.position.size(), Vec3(0, 0, 1));
-    const double noise = prepareFor("robust", file).report.noise;
+    const double noise = preparedBy("robust", file).report.noise;
     CHECK(noise > 0.2);
     CHECK(noise < 0.4);
     for (Vec3& x : file.position) x *= 1e6;
-    CHECK(prepareFor("robust", file).report.noise == doctest::Approx(noise).epsilon(1e-9));
+    CHECK(preparedBy("robust", file).report.noise == doctest::Approx(noise).epsilon(1e-9));
 }
 
 TEST_CASE("noise: long lists do not make a surface noisy") {
     const PointFile file = closedFamilies()[1].sample(1);
     PrepareOptions options;
     options.setNoiseAside = true;
-    const double noise = prepareFor("robust", file).report.noise;
+    const double noise = preparedBy("robust", file).report.noise;
     for (const std::size_t k : {16U, 24U, 48U}) {
         options.neighbors.reach = KNearest{k};
         const auto result = prepare(file, options);
@@ -86,7 +77,7 @@ TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and soun
     for (const double width : {1.0, 1.5, 2.0}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const PointFile file = noisySphere(6000, width, seed);
-            const Prepared prepared = prepareFor("robust", file);
+            const Prepared prepared = preparedBy("robust", file);
             const PointSet& points = prepared.points;
             CAPTURE(width);
             CAPTURE(seed);
@@ -102,7 +93,7 @@ TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and soun
     }
     // Not so where all points stay.
     const PointFile fewer = noisySphere(500, 1.0, 1);
-    const Run all = runAll(prepareFor("paper", fewer).points, *paramsByName("robust"));
+    const Run all = runAll(preparedBy("paper", fewer).points, *paramsByName("robust"));
     CHECK_FALSE(all.mesh.closedManifold());
 }
 
@@ -113,16 +104,16 @@ TEST_CASE("noise: points that fill space are no surface, and all stay") {
         file.position.push_back(random.inCube());
         file.normal.push_back(random.direction());
     }
-    const Prepared prepared = prepareFor("robust", file);
+    const Prepared prepared = preparedBy("robust", file);
     CHECK(prepared.report.count(Aside::Noise) == 0);
-    CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
-    CHECK(prepared.points.neighbors.ids == prepareFor("paper", file).points.neighbors.ids);
+    CHECK(prepared.points.normal == preparedBy("paper", file).points.normal);
+    CHECK(prepared.points.neighbors.ids == preparedBy("paper", file).points.neighbors.ids);
 }
 
 TEST_CASE("noise: lists from the file are taken as they are") {
     PointFile file = noisySphere(2000, 1.5, 1);
-    file.neighbors = prepareFor("paper", file).points.neighbors;
-    const Prepared prepared = prepareFor("robust", file);
+    file.neighbors = preparedBy("paper", file).points.neighbors;
+    const Prepared prepared = preparedBy("robust", file);
     CHECK(prepared.report.count(Aside::Noise) == 0);
     CHECK(prepared.points.neighbors.ids == file.neighbors.ids);
 }
@@ -133,7 +124,7 @@ TEST_CASE(
     for (const char* name : {"sphere_noisy", "fin90", "oni", "elephant", "hippo"}) {
         const auto file = sharedPoints(std::string("points/") + name + ".ply");
         if (!file) return;
-        const Prepared prepared = prepareFor("robust", *file);
+        const Prepared prepared = preparedBy("robust", *file);
         if (std::string(name) != "sphere_noisy") {
             CHECK_MESSAGE(prepared.report.count(Aside::Noise) == 0, name);
             continue;
@@ -227,7 +218,7 @@ TEST_CASE("noise: a point that was chosen stays, though a later one reaches it")
 
 TEST_CASE("noise: points that stay get the mean normal of their patch, the others keep theirs") {
     const PointFile file = noisySphere(1000, 1.0, 1);
-    const Prepared prepared = prepareFor("robust", file);
+    const Prepared prepared = preparedBy("robust", file);
     REQUIRE(prepared.report.count(Aside::Noise) > 0);
     const std::vector<bool> all(file.position.size(), true);
     const auto lists =

@@ -76,16 +76,6 @@ PointFile sphereFileWith(const std::vector<Vec3>& others) {
     return file;
 }
 
-/// The points as prepared by `spiraling-edge run` with these rules.
-Prepared preparedBy(const char* rules, const PointFile& file, PrepareOptions options = {}) {
-    const Params params = *paramsByName(rules);
-    options.setNoiseAside = params.setNoiseAside;
-    options.setStraysAside = params.setStraysAside;
-    Result<Prepared> result = prepare(file, options);
-    REQUIRE_MESSAGE(result.ok(), result.error().message);
-    return std::move(result.value());
-}
-
 constexpr const char* kSettingAside[] = {"corrected", "robust"};
 
 }  // namespace
@@ -227,17 +217,17 @@ TEST_CASE("strays: nothing is derived from them") {
     PointFile with = sphereFileWith({{0, 0, 2}, {0, 0, -4}});
     PointFile without = sphereFileWith({});
     for (const NormalSource normals : {NormalSource::Derived, NormalSource::Oriented}) {
-        PrepareOptions options;
-        options.normals = normals;
-        const Prepared a = preparedBy("robust", with, options);
-        const Prepared b = preparedBy("robust", without, options);
+        RunSpec spec;
+        spec.normals = normals;
+        const Prepared a = preparedBy(withSet(spec, "robust"), with);
+        const Prepared b = preparedBy(withSet(spec, "robust"), without);
         REQUIRE(a.report.count(Aside::Stray) == 2);
         CHECK(std::equal(a.points.normal.begin() + 2, a.points.normal.end(),
                          b.points.normal.begin()));
         CHECK(a.report.noise == b.report.noise);
         CHECK(a.report.derived.normalComponents == 1);
         CHECK(a.report.count(Aside::NoNormal) == 0);
-        CHECK(preparedBy("paper", with, options).report.count(Aside::Stray) == 0);
+        CHECK(preparedBy(spec, with).report.count(Aside::Stray) == 0);
     }
 }
 

@@ -19,9 +19,7 @@ namespace {
 std::optional<PointSet> shared(const std::string& name) {
     const auto file = sharedPoints("points/" + name + ".ply");
     if (!file) return std::nullopt;
-    auto result = prepare(*file, prepareOptionsOf({}, robust(), *file).value());
-    REQUIRE_MESSAGE(result.ok(), name);
-    return std::move(result.value().points);
+    return preparedBy("robust", *file).points;
 }
 
 /// No edge of three triangles, and none passed twice in one direction.
