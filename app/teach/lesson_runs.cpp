@@ -118,7 +118,7 @@ Result<PointFile> LessonRuns::pointsOf(const std::string& source) const {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
     if (isScene(input.value())) return buildScene(input.value());
-    if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
+    if (const auto seed = practiceSeed(input.value())) return practiceFile(*seed);
     return readPoints(std::filesystem::path(input.value()), limit_, unpack_);
 }
 

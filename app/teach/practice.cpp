@@ -248,15 +248,7 @@ std::optional<std::uint64_t> practiceSeed(std::string_view source) {
     return numberIn<std::uint64_t>(source.substr(kPracticePrefix.size()));
 }
 
-PointFile practiceFile(const PracticeTask& task) {
-    PointFile file;
-    file.position = task.points->position;
-    file.normal = task.points->normal;
-    file.type = task.points->type;
-    file.neighbors = task.points->neighbors;
-    file.positionType = file.normalType = ScalarType::Double;
-    return file;
-}
+PointFile practiceFile(std::uint64_t seed) { return fileOf(*practiceTask(seed).points); }
 
 std::string practiceLesson(std::uint64_t seed) {
     const PracticeTask task = practiceTask(seed);

@@ -50,8 +50,8 @@ std::optional<std::uint64_t> practiceSeed(std::string_view source);
 /// The names of its points: p, first and last.
 std::vector<PointName> practiceNames(const PracticeTask& task);
 
-/// The points of a task as a file with neighbor lists.
-PointFile practiceFile(const PracticeTask& task);
+/// The points of the task of a seed as a file with neighbor lists.
+PointFile practiceFile(std::uint64_t seed);
 /// The task of a seed as the text of a lesson with one question of kind `play`.
 std::string practiceLesson(std::uint64_t seed);
 

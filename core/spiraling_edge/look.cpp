@@ -8,21 +8,11 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/spec/session_text.h"
 
 namespace se {
 namespace {
-
-/// The points as they are, with their lists.
-PointFile fileOf(const PointSet& points) {
-    PointFile file;
-    file.position = points.position;
-    file.normal = points.normal;
-    file.positionType = file.normalType = ScalarType::Double;
-    file.type = points.type;
-    file.neighbors = points.neighbors;
-    return file;
-}
 
 /// Writes the files into the folder and runs the viewer on them.
 Status lookFrom(const std::filesystem::path& folder, const Stepper& stepper,

@@ -100,15 +100,6 @@ PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
     return points;
 }
 
-/// The points of a mesh without others to judge it by.
-PointSet ownPoints(const PointFile& mesh) {
-    PointSet points;
-    points.position = mesh.position;
-    points.normal = mesh.normal;
-    points.type = mesh.type;
-    return points;
-}
-
 /// The triangles in the numbering of the cloud's points. Throws Failure if a corner is not one
 /// of them.
 std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,

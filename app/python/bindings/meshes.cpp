@@ -182,13 +182,7 @@ py::object checkMesh(const Input& input, const SharedRun& run) {
     const PointFile& mesh = *input.file;
     if (mesh.faces.empty() && !run) throw InputError("The mesh has no triangles.");
     return verdictRecord(longCall(py::none(), [&](const Progress& progress) {
-        if (!run) {
-            PointSet own;
-            own.position = mesh.position;
-            own.normal = mesh.normal;
-            own.type = mesh.type;
-            return judgeFinite(own, mesh.faces);
-        }
+        if (!run) return judgeFinite(ownPoints(mesh), mesh.faces);
         const MatchedMesh matched = matchMesh(run->file->position, mesh);
         if (!matched.unmatchedNumbers.empty())
             throw InputError("vertex " + std::to_string(matched.unmatchedNumbers.front()) +

@@ -216,7 +216,7 @@ SceneTile tileOf(const LessonEntry& lesson) {
     tile.watch = lesson.text;
     tile.minutes = lesson.minutes;
     if (const auto seed = teach::practiceSeed(lesson.input)) {
-        drawInput({teach::practiceFile(teach::practiceTask(*seed)), {}, lesson.at}, tile);
+        drawInput({teach::practiceFile(*seed), {}, lesson.at}, tile);
         return tile;
     }
     const std::string_view id = std::string_view(lesson.input).substr(kScenePrefix.size());

@@ -102,7 +102,7 @@ Result<PointFile> readSource(const RunSpec& spec, Model& model, LoadProgress& pr
     if (isPacked(source)) return unpackPoints(spec, model);
     if (const auto seed = teach::practiceSeed(source)) {
         model.name = source;
-        PointFile points = teach::practiceFile(teach::practiceTask(*seed));
+        PointFile points = teach::practiceFile(*seed);
         model.hash = hashOfPoints(points);
         return points;
     }

@@ -405,4 +405,12 @@ Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigne
     return std::shared_ptr<const MeshJudge>(std::move(judge.value()));
 }
 
+PointSet ownPoints(const PointFile& mesh) {
+    PointSet points;
+    points.position = mesh.position;
+    points.normal = mesh.normal;
+    points.type = mesh.type;
+    return points;
+}
+
 }  // namespace se

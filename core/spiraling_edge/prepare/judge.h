@@ -36,5 +36,7 @@ Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file,
                                                     const Progress& progress = {});
 /// That of points without options but the number of threads, as in NeighborOptions.
 Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigned threads = 0);
+/// The points of a mesh without others to judge it by: its own, as they are.
+PointSet ownPoints(const PointFile& mesh);
 
 }  // namespace se

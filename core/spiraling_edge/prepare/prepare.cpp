@@ -431,4 +431,14 @@ void storeDerived(const PointSet& points, const PrepareReport& report, PointFile
     if (derived.types || derived.rim) file.type = points.type;
 }
 
+PointFile fileOf(const PointSet& points) {
+    PointFile file;
+    file.position = points.position;
+    file.normal = points.normal;
+    file.positionType = file.normalType = ScalarType::Double;
+    file.type = points.type;
+    file.neighbors = points.neighbors;
+    return file;
+}
+
 }  // namespace se

@@ -153,6 +153,8 @@ Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
 /// with those it was made from. Unchanged given ones, and neighbor lists, are not touched. `points`
 /// and `report` are the result of prepare() for `file`.
 void storeDerived(const PointSet& points, const PrepareReport& report, PointFile& file);
+/// Prepared points as a file from which the same are prepared: with their lists, in double.
+PointFile fileOf(const PointSet& points);
 /// The ordered lists alone, for points with usable[p] true; all others get an empty list and are in
 /// none. Requires finite usable positions. Points at the same place are no neighbors of each other,
 /// nor are points so far apart (1e154) that the square of their distance is no number. `normal` may
