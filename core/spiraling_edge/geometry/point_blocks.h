@@ -83,22 +83,6 @@ class PointBlocks {
         return result;
     }
 
-    /// Calls visit(index) for each point that is at most this far from `place`, by the square of
-    /// the distance.
-    template <typename Visit>
-    void forPointsWithin(const Vec3& place, double squaredReach, Visit&& visit) const {
-        if (id_.empty()) return;
-        forBlocksNear(Box(place), squaredReach, [&](const Node& node) {
-            const PerPoint distance = squaredDistances(node.first, place);
-            // Slots after the last point are infinitely far away: within an infinite reach.
-            const std::size_t filled = std::min(kBlock, id_.size() - node.firstSlot());
-            for (std::size_t i = 0; i < filled; ++i) {
-                if (distance[i] <= squaredReach) visit(id_[node.firstSlot() + i]);
-            }
-            return true;
-        });
-    }
-
     /// Calls visit(node) with the node of each block whose box is at most this far from `box`,
     /// until it returns false. False if it did.
     template <typename Visit>

@@ -129,18 +129,6 @@ void Timeline::stepTo(std::uint32_t pivot, const std::function<bool()>& keepGoin
     }
 }
 
-std::vector<Event> Timeline::eventsOf(std::uint32_t pivot) {
-    if (pivot == 0 || (endKnown_ && pivot > lastPivot())) return {};
-    seek(pivot - 1);
-    if (position() != pivot - 1 || state().finished()) return {};
-    const bool edited = inRepairs();
-    const Keyframe here = makeKeyframe();
-    EventLog log;
-    stepPivot(&log);
-    edited ? seek(pivot - 1) : restore(here);
-    return log.events();
-}
-
 /// Changes the state of the stepper in place.
 void Timeline::changeState(const std::function<void(State&)>& change) {
     State state = stepper_.exchangeState({});

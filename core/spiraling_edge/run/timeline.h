@@ -70,7 +70,7 @@ class Timeline {
     /// Pivots of the whole run, known once the end was reached; else the farthest seen so far.
     std::uint32_t farthest() const { return farthest_; }
     bool endKnown() const { return endKnown_; }
-    /// The highest number that eventsOf() has events for. Requires endKnown(). One more than the
+    /// The highest number that record() has events for. Requires endKnown(). One more than the
     /// pivots of the run, for its end and points that cannot begin a ring, unless it was stopped.
     std::uint32_t lastPivot() const {
         assert(endKnown_);
@@ -97,9 +97,6 @@ class Timeline {
     /// not kept, unless a seek has come to one of them, since those of a large run take as much
     /// memory as all the rest: a later seek makes them again. Stops early as seek() does.
     void makeRest(const std::function<bool()>& keepGoing = {});
-    /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
-    /// to pivot - 1 complete pivots. Empty if the run is shorter.
-    std::vector<Event> eventsOf(std::uint32_t pivot);
     /// Pivot number `pivot`, or the last one if the run is shorter; the cursor is moved to the end
     /// of it. Its statuses share with those of the last call what has not changed.
     std::shared_ptr<const PivotRecord> record(std::uint32_t pivot);

@@ -212,7 +212,8 @@ TEST_CASE("breakpoints: places number the events of a pivot as the timeline list
         Timeline timeline(points, params);
         for (std::uint32_t pivot = 1; pivot <= pivots.rbegin()->first; ++pivot) {
             std::vector<Address> listed;
-            for (const Event& event : timeline.eventsOf(pivot)) listed.push_back(event.address);
+            const auto record = timeline.record(pivot);
+            for (const Event& event : record->events) listed.push_back(event.address);
             CHECK((listed == pivots[pivot]));
         }
     }

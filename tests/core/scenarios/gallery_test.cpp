@@ -37,7 +37,8 @@ Event eventAt(const PointSet& points, std::string_view address) {
     const auto wanted = addressFromString(address);
     REQUIRE(wanted);
     Timeline timeline(points, paper());
-    for (const Event& event : timeline.eventsOf(wanted->pivot)) {
+    const auto record = timeline.record(wanted->pivot);
+    for (const Event& event : record->events) {
         if (event.address == *wanted) return event;
     }
     FAIL("there is no event at " << address);

@@ -47,7 +47,7 @@ void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Su
     REQUIRE(ledger.cause < ledger.lines.size());
     const LedgerLine& cause = ledger.lines[ledger.cause];
     const Address address = cause.event.address;
-    const std::vector<Event> events = timeline.eventsOf(address.pivot);
+    const std::vector<Event> events = timeline.record(address.pivot)->events;
     const auto found = std::find_if(events.begin(), events.end(),
                                     [&](const Event& e) { return e.address == address; });
     REQUIRE(found != events.end());

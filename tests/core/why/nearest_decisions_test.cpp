@@ -47,7 +47,8 @@ TEST_CASE("closest calls: nudging the listed point by the listed amount turns th
                 const Vec3 before = points.position[decision.move.point];
                 points.position[decision.move.point] += decision.move.by;
                 Timeline timeline(points, params);
-                const std::vector<Event> events = timeline.eventsOf(decision.event.address.pivot);
+                const std::vector<Event> events =
+                    timeline.record(decision.event.address.pivot)->events;
                 points.position[decision.move.point] = before;
                 const Event* now = eventAt(events, decision.event.address);
                 REQUIRE(now != nullptr);

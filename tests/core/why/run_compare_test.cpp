@@ -36,7 +36,7 @@ RunComparison compared(const ComparedRun& a, const ComparedRun& b) {
 void checkAddress(const ComparedRun& run, const DifferenceSide& side) {
     REQUIRE(side.line);
     Timeline timeline(run.points, run.params);
-    const std::vector<Event> events = timeline.eventsOf(side.line->event.address.pivot);
+    const std::vector<Event> events = timeline.record(side.line->event.address.pivot)->events;
     const auto found = std::find_if(events.begin(), events.end(), [&](const Event& e) {
         return e.address == side.line->event.address;
     });
@@ -219,7 +219,7 @@ TEST_CASE("run comparison: each triangle is made at its address") {
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 37) {
         const Triangle& t = mesh.triangles[i];
         const auto has = [&](Index p) { return t.a == p || t.b == p || t.c == p; };
-        const std::vector<Event> events = timeline.eventsOf(mesh.made[i].pivot);
+        const std::vector<Event> events = timeline.record(mesh.made[i].pivot)->events;
         const auto found = std::find_if(events.begin(), events.end(),
                                         [&](const Event& e) { return e.address == mesh.made[i]; });
         REQUIRE(found != events.end());
