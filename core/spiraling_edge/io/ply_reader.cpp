@@ -364,15 +364,15 @@ std::size_t findScalar(const PlyElement& element, std::string_view name) {
     return kNoProperty;
 }
 
-using Names = std::array<const char*, 3>;
-constexpr Names kPositionNames{"x", "y", "z"};
+using VectorNames = std::array<const char*, 3>;
+constexpr VectorNames kPositionNames{"x", "y", "z"};
 
 /// The names under which `vertex` holds normals: the usual ones, unless it has only those of the
 /// Point Cloud Library.
-Names normalNames(const PlyElement& vertex) {
-    constexpr Names kUsual{"nx", "ny", "nz"};
-    constexpr Names kLong{"normal_x", "normal_y", "normal_z"};
-    const auto holds = [&](const Names& names, auto find) {
+VectorNames normalNames(const PlyElement& vertex) {
+    constexpr VectorNames kUsual{"nx", "ny", "nz"};
+    constexpr VectorNames kLong{"normal_x", "normal_y", "normal_z"};
+    const auto holds = [&](const VectorNames& names, auto find) {
         return std::all_of(names.begin(), names.end(),
                            [&](const char* name) { return find(name) != kNoProperty; });
     };
@@ -605,7 +605,7 @@ class BodyReader {
     }
 
     /// Sends three properties to the components of `vectors`, if `vertex` has them all.
-    void takeVector(const PlyElement& vertex, const Names& names, std::vector<Vec3>& vectors,
+    void takeVector(const PlyElement& vertex, const VectorNames& names, std::vector<Vec3>& vectors,
                     ScalarType& type, std::vector<Column>& columns) {
         std::array<std::size_t, 3> at{};
         type = ScalarType::Float;

@@ -24,7 +24,6 @@
 #include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/prepare/scan_lines.h"
 #include "spiraling_edge/prepare/strays.h"
-#include "spiraling_edge/prepare/twins.h"
 
 namespace se {
 namespace {
@@ -126,6 +125,20 @@ void turnAsInRun(const Intake& around, const PointSet& run, PointSet& points) {
 }
 
 // ---- spacing, twins, parts ----------------------------------------------------------------------
+
+/// A twin's nearest point is nearer than this share of the distance to the fourth nearest.
+constexpr double kTwinShare = 0.25;
+
+/// The nearest point of a twin; else kNone. `nearest`: the nearest points of p, in order. Points
+/// whose normals oppose are the two sides of a thin plate; `normal` may be empty.
+Index twinOf(std::span<const Vec3> position, std::span<const Vec3> normal, Index p,
+             std::span<const Index> nearest) {
+    if (nearest.size() < 4) return kNone;
+    if (!normal.empty() && glm::dot(normal[p], normal[nearest[0]]) < 0.0) return kNone;
+    const bool isTwin = glm::distance(position[p], position[nearest[0]]) <
+                        kTwinShare * glm::distance(position[p], position[nearest[3]]);
+    return isTwin ? nearest[0] : kNone;
+}
 
 double distanceBetween(const PointFile& file, Index p, Index q) {
     return glm::distance(file.position[p], file.position[q]);

@@ -72,7 +72,7 @@ struct Ledger {
     /// The rule that is off as well then, since its steps after the last pivot undo them; or null.
     const RuleSetting* undoneBy = nullptr;
     /// The rule or the preparation that prevents a failure, or brings an absent subject in
-    /// (prevention.h). Nothing: none was found, or none was looked for.
+    /// (addPrevention()). Nothing: none was found, or none was looked for.
     std::optional<FieldValue> preventedBy = {};
 };
 

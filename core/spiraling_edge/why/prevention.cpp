@@ -1,8 +1,7 @@
-/// Each rule is run from the start. Unless that takes half of the steps, those come first that
-/// decide otherwise at one of the pivots in question, or edit the mesh after the last one: that is
-/// found by steps from the states of one run.
-#include "spiraling_edge/why/prevention.h"
-
+/// The change that prevents what an answer is about: a rule of `robust` that is off, or another
+/// preparation of the points. Each rule is run from the start. Unless that takes half of the steps,
+/// those come first that decide otherwise at one of the pivots in question, or edit the mesh after
+/// the last one: that is found by steps from the states of one run.
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -16,6 +15,7 @@
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/prover.h"
 
 namespace se {
 namespace {

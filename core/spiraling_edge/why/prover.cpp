@@ -11,7 +11,6 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/stepper.h"
-#include "spiraling_edge/why/prevention.h"
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se {

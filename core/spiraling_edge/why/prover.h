@@ -110,11 +110,24 @@ struct RunLength {
 /// while the steps of three runs are left. At last, an inversion that steps after the last pivot
 /// undo may change it while the rule of these steps is off. The cause becomes that of the proof,
 /// and the answer the sentences about it, with the change that prevents it where
-/// ProofAim::findsChange (prevention.h). Requires Ledger::words of the cause so far. Fails if
+/// ProofAim::findsChange (addPrevention()). Requires Ledger::words of the cause so far. Fails if
 /// cancelled.
 Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
                 std::vector<Invertible> all, const RunLength& length, const ProofScope& scope,
                 Ledger& ledger, const Progress& progress);
+
+/// Looks for the change that prevents a failure, or brings an absent subject in, and sets
+/// Ledger::preventedBy and a sentence at the end of the answer, which is settled. The rules of
+/// `robust` that are off, but `rim`, are run one at a time: first those that decide otherwise in a
+/// step at the pivots of the cause and of the triangles in question, or after `last`, the number of
+/// the last pivot of the run; where none changes the answer, the preparations. Of those that change
+/// it the one with the fewest faults is taken (hasFewerFaults()): all are judged in the same way;
+/// or the first, where the steps do not last for a verdict. At most `left` steps; where they do not
+/// last for any that changes it, nothing is said. Fails if cancelled, or as
+/// ProofScope::alternatives does. Deterministic.
+Status addPrevention(const PointSet& points, const Params& params, std::uint32_t last,
+                     const ProofAim& aim, std::uint64_t left, const ProofScope& scope,
+                     Ledger& ledger, const Progress& progress);
 
 /// Adds to a ledger, as indirect lines at its end, the tests of a pivot that made any of these
 /// triangles: those that took their corners or made way for them. sortLines() leaves out what the
