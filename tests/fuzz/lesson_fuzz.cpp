@@ -2,25 +2,16 @@
 /// and what is complete has valid values. As readers_fuzz.cpp a plain program unless
 /// SPIRALING_EDGE_LIBFUZZER is defined.
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "fuzz.h"
 #include "teach/lesson.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_text.h"
 #include "teach/result.h"
 
 namespace {
-
-void demand(bool good, const char* what) {
-    if (good) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 void checkReading(const se::teach::LessonReading& reading) {
     for (const se::teach::LessonFault& fault : reading.faults)
@@ -49,14 +40,3 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     demand(again.ok() && se::teach::resultJson(again.value()) == json, "another result");
     return 0;
 }
-
-#ifndef SPIRALING_EDGE_LIBFUZZER
-int main(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        std::ifstream file(argv[i], std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    }
-    return 0;
-}
-#endif

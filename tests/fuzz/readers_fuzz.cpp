@@ -9,52 +9,42 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "fuzz.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace {
 
-/// Unlike assert(), kept in optimized builds.
-void require(bool good, const char* what) {
-    if (good) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
-
 void checkContent(const se::PointFile& file) {
     const std::string bytes = se::meshPlyBytes(file, file.faces);
     const auto again = se::readPoints(bytes, "written");
-    require(again.ok(), "what was written cannot be read");
-    require(se::meshPlyBytes(again.value(), again.value().faces) == bytes,
-            "what was read back is written differently");
+    demand(again.ok(), "what was written cannot be read");
+    demand(se::meshPlyBytes(again.value(), again.value().faces) == bytes,
+           "what was read back is written differently");
     const auto prepared = se::prepare(file, {});
     const bool isOutOfRange =
         !prepared.ok() && prepared.error().message.starts_with("coordinates are too ");
-    require(prepared.ok() || isOutOfRange || !file.hasNormals(), "good points cannot be prepared");
-    require(!prepared.ok() || se::validate(prepared.value().points).ok(),
-            "prepared points are not valid");
+    demand(prepared.ok() || isOutOfRange || !file.hasNormals(), "good points cannot be prepared");
+    demand(!prepared.ok() || se::validate(prepared.value().points).ok(),
+           "prepared points are not valid");
 }
 
 /// Checks the guarantees of volume.h for a volume that was read.
 void checkVolume(const se::Volume& volume) {
     const auto& size = volume.size;
-    require(size[0] >= 2 && size[1] >= 2 && size[2] >= 2, "fewer than two samples");
-    require(volume.value.size() == size[0] * size[1] * size[2], "samples are missing");
-    require(std::all_of(volume.value.begin(), volume.value.end(),
-                        [](float value) { return std::isfinite(value); }),
-            "samples that are not finite");
+    demand(size[0] >= 2 && size[1] >= 2 && size[2] >= 2, "fewer than two samples");
+    demand(volume.value.size() == size[0] * size[1] * size[2], "samples are missing");
+    demand(std::all_of(volume.value.begin(), volume.value.end(),
+                       [](float value) { return std::isfinite(value); }),
+           "samples that are not finite");
     for (int axis = 0; axis < 3; ++axis)
-        require(volume.spacing[axis] > 0.0, "a spacing that is not above 0");
+        demand(volume.spacing[axis] > 0.0, "a spacing that is not above 0");
     for (const se::Vec3& corner : {volume.origin, volume.high()}) {
-        require(!std::isnan(volume.valueAt(corner)), "no value at a corner");
+        demand(!std::isnan(volume.valueAt(corner)), "no value at a corner");
         volume.gradientAt(corner);
     }
 }
@@ -67,26 +57,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const char* name :
          {"input", "input.off", "input.stl"}) {  // the other extensions do not matter
         const auto file = se::readPoints(bytes, name);
-        require(file.ok() || !file.error().message.empty(), "an error without a message");
+        demand(file.ok() || !file.error().message.empty(), "an error without a message");
         if (file.ok()) checkContent(file.value());
     }
     const auto volume = se::readVolume(bytes, "input.nrrd");
-    require(volume.ok() || !volume.error().message.empty(), "an error without a message");
+    demand(volume.ok() || !volume.error().message.empty(), "an error without a message");
     if (volume.ok()) checkVolume(volume.value());
     return 0;
 }
-
-#ifndef SPIRALING_EDGE_LIBFUZZER
-int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fprintf(stderr, "usage: %s FILE...\n", argv[0]);
-        return 2;
-    }
-    for (int i = 1; i < argc; ++i) {
-        std::ifstream stream(argv[i], std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    }
-    std::printf("%d files: no crash\n", argc - 1);
-}
-#endif

@@ -2,25 +2,16 @@
 /// and what is complete has valid points, reads back, and can be compared with a run. As
 /// readers_fuzz.cpp a plain program unless SPIRALING_EDGE_LIBFUZZER is defined.
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
+#include "fuzz.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "teach/practice.h"
 #include "teach/trace/trace_diff.h"
 
 namespace {
-
-void demandTrace(bool good, const char* what) {
-    if (good) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 /// The points of Figure 4 and their run.
 struct FuzzedRun {
@@ -34,20 +25,20 @@ void compareWithRun(se::teach::Trace trace) {
     if (!se::teach::requireTraceOf(trace, *run.points, "input")) return;
     for (const auto& row : se::teach::traceStages()) {
         const auto found = se::teach::compareTrace(trace, run.points, run.params, row.id);
-        demandTrace(found.ok() && !se::teach::differenceText(found.value()).empty(), "no text");
+        demand(found.ok() && !se::teach::differenceText(found.value()).empty(), "no text");
     }
 }
 
 void readAndGradeMoves(std::string_view bytes) {
     static const se::teach::PracticeTask task = se::teach::practiceTask(7);
     const auto moves = se::teach::readMoves(bytes, "input", task);
-    demandTrace(moves.ok() || !moves.error().message.empty(), "an error without a message");
+    demand(moves.ok() || !moves.error().message.empty(), "an error without a message");
     if (!moves.ok()) return;
     const se::teach::PracticeGrade grade = se::teach::gradePractice(task, moves.value());
-    demandTrace(grade.right || !grade.sentence.empty(), "a wrong move without a sentence");
+    demand(grade.right || !grade.sentence.empty(), "a wrong move without a sentence");
     for (const se::teach::PlayMove& each : moves.value()) {
         const auto again = se::teach::moveFromText(se::teach::moveText(each));
-        demandTrace(again.ok() && again.value() == each, "another move");
+        demand(again.ok() && again.value() == each, "another move");
     }
 }
 
@@ -59,25 +50,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     readAndGradeMoves(bytes);
     for (const auto& row : se::teach::traceStages()) {
         const auto trace = se::teach::readTrace(bytes, "input", row.id);
-        demandTrace(trace.ok() || !trace.error().message.empty(), "an error without a message");
+        demand(trace.ok() || !trace.error().message.empty(), "an error without a message");
         if (!trace.ok()) continue;
         std::string text =
             "{\"setrace\":1,\"points\":" + std::to_string(trace.value().points) + "}\n";
         for (const se::teach::TracePivot& pivot : trace.value().pivots)
             text += se::teach::traceLine(pivot);
-        demandTrace(se::teach::readTrace(text, "written", row.id).ok(), "another trace");
+        demand(se::teach::readTrace(text, "written", row.id).ok(), "another trace");
         compareWithRun(trace.value());
     }
     return 0;
 }
-
-#ifndef SPIRALING_EDGE_LIBFUZZER
-int main(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        std::ifstream file(argv[i], std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    }
-    return 0;
-}
-#endif

@@ -87,7 +87,6 @@ inline PointSet prepared(const PointFile& file, const NeighborOptions& options =
     return result.ok() ? std::move(result.value().points) : PointSet{};
 }
 
-/// The points of a built-in scene.
 /// The points as `spiraling-edge run` prepares them by this spec.
 inline Prepared preparedBy(const RunSpec& spec, const PointFile& file) {
     const Params params = paramsOf(spec).value();
@@ -99,6 +98,8 @@ inline Prepared preparedBy(const RunSpec& spec, const PointFile& file) {
 inline Prepared preparedBy(const char* rules, const PointFile& file) {
     return preparedBy(withSet({}, rules), file);
 }
+
+/// The points of a built-in scene.
 inline PointSet sceneNamed(std::string_view id) { return prepared(findScene(id)->build()); }
 
 /// The params with the start of a built-in scene.
@@ -120,6 +121,13 @@ inline Run runAll(const PointSet& points, const Params& params, EventLog* log = 
     run.state = stepper.takeState();
     run.mesh = reportMesh(points, run.state.mesh());
     return run;
+}
+
+/// All events of a run, in one log.
+inline std::vector<Event> eventsOf(const PointSet& points, const Params& params) {
+    EventLog log;
+    Stepper(points, params, &log).run();
+    return log.events();
 }
 
 /// The faults of a mesh in words, empty if it is sound.

@@ -17,13 +17,6 @@ std::string placeOf(const RunCursor& cursor) {
     return cursor.event() == nullptr ? "start" : toString(cursor.event()->address);
 }
 
-/// All events of a run, in one log.
-std::vector<Event> eventsOf(const PointSet& points, const Params& params) {
-    EventLog log;
-    Stepper(points, params, &log).run();
-    return log.events();
-}
-
 }  // namespace
 
 TEST_CASE("Forward by decision passes every event of the run once, and back takes the same way") {
@@ -32,7 +25,7 @@ TEST_CASE("Forward by decision passes every event of the run once, and back take
         const Params params = paramsByName(rules).value();
         const PointSet points = test::sceneNamed("long-lists");
         std::vector<std::string> expected{"start"};
-        for (const Event& event : eventsOf(points, params)) {
+        for (const Event& event : test::eventsOf(points, params)) {
             expected.push_back(toString(event.address));
         }
         RunCursor cursor(points, params);
@@ -72,7 +65,7 @@ TEST_CASE("The end of a run is its last event, also where the run was not made b
         CAPTURE(rules);
         const PointSet points = test::sceneNamed("torus");
         const Params params = paramsByName(rules).value();
-        const std::string last = toString(eventsOf(points, params).back().address);
+        const std::string last = toString(test::eventsOf(points, params).back().address);
         RunCursor cursor(points, params);
         cursor.goToEnd();
         CHECK(placeOf(cursor) == last);
@@ -106,7 +99,7 @@ TEST_CASE("The cursor stays where it is if the run has no such decision") {
 TEST_CASE("A number alone is where a pivot begins, and a step after the last pivot too") {
     const PointSet points = test::sceneNamed("long-lists");
     const Params params = paramsByName("robust").value();
-    const std::vector<Event> events = eventsOf(points, params);
+    const std::vector<Event> events = test::eventsOf(points, params);
     RunCursor cursor(points, params);
     std::size_t late = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "fan_scene.h"
 #include "spiraling_edge/stepper/rules.h"
 #include "support/oracles.h"
 #include "support/rig.h"
@@ -10,15 +11,6 @@ using namespace se::test;
 namespace {
 
 const Vec3 kUp(0, 0, 1);
-
-/// p = 0 at the origin; first = 1 in the east, last = 2 at an angle; the ring continues far away.
-/// Further points from 5 on.
-std::vector<Vec3> around(double lastDegrees, std::vector<Vec3> more) {
-    std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};
-    position.insert(position.end(), more.begin(), more.end());
-    return position;
-}
-const Points kRing{0, 2, 3, 4, 1};
 
 }  // namespace
 
@@ -78,7 +70,7 @@ TEST_CASE("6.1 rounding beyond a cosine of 1 does no harm") {
 }
 
 TEST_CASE("6.1 neighbors are sorted by angle, whatever their distance") {
-    Rig rig(around(180, {polar(120, 0.5), polar(30, 2), polar(75, 1), polar(160, 3)}));
+    Rig rig(inSector(180, {polar(120, 0.5), polar(30, 2), polar(75, 1), polar(160, 3)}));
     rig.list(0, {1, 2, 5, 6, 7, 8}).ring(kRing).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{6, 7, 5, 8});
 }
@@ -92,7 +84,7 @@ TEST_CASE("6.1 a long list is sorted by angle too, and nothing of it is lost") {
             const double share = static_cast<double>(i + 1) / static_cast<double>(count + 1);
             more.push_back(polar(180.0 * share, 2.0 - share));
         }
-        Rig rig(around(180, more));
+        Rig rig(inSector(180, more));
         Points listed;
         Points expected;
         for (std::size_t i = 0; i < count; ++i) {
@@ -106,7 +98,7 @@ TEST_CASE("6.1 a long list is sorted by angle too, and nothing of it is lost") {
 
 TEST_CASE("6.1 of two neighbors at the same angle the one closest to p is kept") {
     for (const bool nearFirst : {true, false}) {
-        Rig rig(around(180, {polar(90, 1), polar(90, 2), polar(40, 1)}));
+        Rig rig(inSector(180, {polar(90, 1), polar(90, 2), polar(40, 1)}));
         rig.rawList(0, nearFirst ? Points{7, 5, 6} : Points{7, 6, 5}).ring(kRing);
         rig.runTo(Phase::Limits);
         CHECK(rig.candidates() == Points{7, 5});
@@ -116,7 +108,7 @@ TEST_CASE("6.1 of two neighbors at the same angle the one closest to p is kept")
 
 TEST_CASE("6.1 Figure 3: a neighbor beyond last is not in the neighbor ring") {
     for (const double last : {100.0, 180.0, 250.0}) {
-        Rig rig(around(last, {polar(last - 20), polar(last + 20), polar(last, 2), polar(-20)}));
+        Rig rig(inSector(last, {polar(last - 20), polar(last + 20), polar(last, 2), polar(-20)}));
         rig.list(0, {5, 6, 7, 8}).ring(kRing).runTo(Phase::Limits);
         CHECK(rig.candidates() == Points{5});
         CHECK(rig.verdictOn<SortEvidence>(6) == Verdict::NotBeforeEnd);
@@ -126,7 +118,7 @@ TEST_CASE("6.1 Figure 3: a neighbor beyond last is not in the neighbor ring") {
 }
 
 TEST_CASE("6.1 a neighbor in the direction of first is no candidate") {
-    Rig rig(around(180, {polar(0, 2), polar(0, 0.5), polar(1e-9), polar(90)}));
+    Rig rig(inSector(180, {polar(0, 2), polar(0, 0.5), polar(1e-9), polar(90)}));
     rig.list(0, {5, 6, 7, 8}).ring(kRing).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{8});
     CHECK(rig.verdictOn<SortEvidence>(5) == Verdict::NotAfterStart);
@@ -141,14 +133,14 @@ TEST_CASE("6.1 when first and last are the same the ending angle is a full turn"
 }
 
 TEST_CASE("4, 6.1 a DONE neighbor is no candidate") {
-    Rig rig(around(180, {polar(60), polar(120)}));
+    Rig rig(inSector(180, {polar(60), polar(120)}));
     rig.list(0, {5, 6}).ring(kRing).done({5}).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{6});
     CHECK(rig.verdictOn<SortEvidence>(5) == Verdict::AlreadyDone);
 }
 
 TEST_CASE("6.1 first and last themselves are no candidates, even with another entry on the ring") {
-    Rig rig(around(270, {polar(60)}));
+    Rig rig(inSector(270, {polar(60)}));
     rig.list(0, {1, 2, 5}).ring({0, 2, 3, 1, 2, 4, 1}).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{5});
     CHECK(rig.verdictOn<SortEvidence>(1) == Verdict::OnRingEnd);
@@ -158,14 +150,14 @@ TEST_CASE("6.1 first and last themselves are no candidates, even with another en
 TEST_CASE("6.1 Figure 3 off: points beyond last are candidates, last itself is none") {
     Params params = paper();
     params.paper.maxAngle = false;
-    Rig rig(around(100, {polar(60), polar(200)}), params);
+    Rig rig(inSector(100, {polar(60), polar(200)}), params);
     rig.list(0, {1, 2, 5, 6}).ring(kRing).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{5, 6});
 }
 
 TEST_CASE(
     "6.1 the frame follows the normal of the pivot: below, the same points turn the other way") {
-    Rig rig(around(-100, {polar(-30), polar(30)}));
+    Rig rig(inSector(-100, {polar(-30), polar(30)}));
     for (Index p = 0; p < 7; ++p) rig.normal(p, Vec3(0, 0, -1));
     rig.list(0, {5, 6}).ring(kRing).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{5});

@@ -41,14 +41,6 @@ Status answer(const PointSet& points, const Params& params) {
     return answers->back();
 }
 
-std::vector<Event> eventsOf(const PointSet& points, const Params& params) {
-    std::vector<Event> all;
-    sweep(points, params, [&](const SweptPivot& pivot) {
-        all.insert(all.end(), pivot.events.begin(), pivot.events.end());
-    });
-    return all;
-}
-
 template <typename Matches>
 Event firstEvent(const PointSet& points, const Params& params, const Matches& matches) {
     const auto all = eventsOf(points, params);
