@@ -142,11 +142,7 @@ Result<double> wantedBy(const Claim& claim, const ClaimedRuns& runs) {
 }
 
 /// The words of a text, with one blank between them.
-std::string singleBlanks(const std::string& text) {
-    std::string words;
-    for (const std::string& word : io::wordsIn(text)) words += (words.empty() ? "" : " ") + word;
-    return words;
-}
+std::string singleBlanks(const std::string& text) { return joined(io::wordsIn(text), " "); }
 
 /// Checks one step; each function is false after it has reported a fault.
 class StepCheck {

@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/why/figure_check.h"
 
@@ -145,9 +146,8 @@ Grade gradePlay(const Answer& given, const Answer& right, const Question&) {
 }
 
 std::string textOfPlay(const Answer& answer, const QuestionContext& context) {
-    std::string text;
-    for (const PlayMove& each : answer.moves)
-        text += (text.empty() ? "" : "; ") + moveText(each, context.names);
+    const std::string text = joined(
+        answer.moves, "; ", [&](const PlayMove& each) { return moveText(each, context.names); });
     return text.empty() ? "none" : text;
 }
 

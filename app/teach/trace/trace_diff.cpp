@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
 #include "teach/play_moves.h"
@@ -190,9 +191,9 @@ void addLimits(const std::vector<Event>& events, TraceDifference& found) {
 /// The points of a ring from a place on, cut after the first few: "4 8 9".
 std::string ringText(const std::vector<Index>& ring, std::size_t from) {
     constexpr std::size_t kMaxShown = 12;
-    std::string text;
-    for (std::size_t i = from; i < std::min(ring.size(), from + kMaxShown); ++i)
-        text += (text.empty() ? "" : " ") + std::to_string(ring[i]);
+    const std::size_t begin = std::min(from, ring.size());
+    const std::size_t count = std::min(ring.size() - begin, kMaxShown);
+    std::string text = joinedNumbers(std::span(ring).subspan(begin, count), " ");
     if (ring.size() > from + kMaxShown) text += " ...";
     return text.empty() ? "no more" : text;
 }

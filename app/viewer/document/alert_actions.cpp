@@ -84,15 +84,6 @@ std::string titleOf(const FailureClass& kind) {
     return title;
 }
 
-std::string pointsText(const MeshFailure& failure, std::size_t limit) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(limit, failure.points.size()); ++i)
-        text += (i == 0 ? "" : ", ") + std::to_string(failure.points[i]);
-    if (failure.points.size() > limit)
-        text += ", ... (" + std::to_string(failure.points.size()) + ")";
-    return text;
-}
-
 std::string watchNote(std::size_t points, std::size_t noticed) {
     if (points > kMaxWatched)
         return "Runs on more than " + grouped(kMaxWatched) +

@@ -24,8 +24,6 @@ const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment);
 Selection subjectOf(const RunFailure& alert);
 /// "intersecting triangles"
 std::string titleOf(const FailureClass& kind);
-/// "21, 50, 77, ..."
-std::string pointsText(const MeshFailure& failure, std::size_t limit);
 
 /// Reason why some failures, or all, are not reported during stepping; empty if all are.
 std::string watchNote(std::size_t points, std::size_t noticed);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 
 namespace se::view {
 
@@ -80,16 +81,6 @@ std::string toString(const KeyChord& chord) {
     const bool sign = chord.key > ' ' && chord.key < 127;
     return sign ? text + static_cast<char>(chord.key) : std::string{};
 }
-
-namespace {
-
-std::string joined(const std::vector<std::string>& words, const char* between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
-}  // namespace
 
 std::string KeyMap::keysOf(const Command& command) const {
     const auto changed = changes_.find(command.id);

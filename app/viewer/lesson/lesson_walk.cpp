@@ -84,10 +84,9 @@ std::vector<Index> LessonWalk::givenPoints() const {
 void LessonWalk::typeMoves(std::vector<teach::PlayMove> moves) {
     std::stable_sort(moves.begin(), moves.end(),
                      [](const auto& a, const auto& b) { return orderOf(a) < orderOf(b); });
-    std::string text;
-    for (const teach::PlayMove& each : moves)
-        text += (text.empty() ? "" : "; ") + teach::moveText(each, setting_.names);
-    type(std::move(text));
+    type(joined(moves, "; ", [this](const teach::PlayMove& each) {
+        return teach::moveText(each, setting_.names);
+    }));
     // A fan of one point, which goes on to grow, cannot be read yet.
     states_[step_].given.moves = std::move(moves);
 }

@@ -48,9 +48,8 @@ BoxFields boxFields(const WallBox& box) {
 }  // namespace
 
 Result<WallBox> boxFromFields(const BoxFields& fields) {
-    std::string text;
-    for (const std::string& each : fields) text += (text.empty() ? "" : ",") + trimmed(each);
-    const std::optional<WallBox> box = boxFromText(text, ',');
+    const auto plain = [](const std::string& each) { return trimmed(each); };
+    const std::optional<WallBox> box = boxFromText(joined(fields, ",", plain), ',');
     if (box) return *box;
     return Error{"Box: expected six numbers, each of the first line below that of the second."};
 }

@@ -142,10 +142,7 @@ void WhatIfForm::take(const Session& session, Index wanted) {
     const PointSet& points = session.shown().points;
     if (wanted >= points.size()) return;
     for (int i = 0; i < 3; ++i) to[static_cast<std::size_t>(i)] = exact(points.position[wanted][i]);
-    list.clear();
-    for (const Index q : points.neighbors[wanted]) {
-        list += (list.empty() ? "" : " ") + std::to_string(q);
-    }
+    list = joinedNumbers(points.neighbors[wanted], " ");
 }
 
 Result<WhatIf> WhatIfForm::move(std::uint32_t pivot) const {

@@ -58,9 +58,7 @@ class EvidenceRows {
 
 /// "12, 34", or the letters of a figure; "none" for no point.
 std::string pointsText(const std::vector<Index>& list, std::span<const PointName> names) {
-    std::string text;
-    for (const Index p : list) text += (text.empty() ? "" : ", ") + nameOf(p, names);
-    return text;
+    return joined(list, ", ", [&](Index p) { return nameOf(p, names); });
 }
 
 // Where a ring begins (section 4), at the walls (7), and the tests of 6.1 to 6.4.

@@ -151,9 +151,7 @@ Error openingCancelled() { return Error{"Opening was cancelled."}; }
 
 std::string fixesText(const Model& model) {
     if (model.fixed && model.fixesDone.empty()) return "nothing to repair";
-    std::string text;
-    for (const std::string& each : model.fixesDone) text += (text.empty() ? "" : "; ") + each;
-    return text;
+    return joined(model.fixesDone, "; ");
 }
 
 std::string changesText(const Model& model) {

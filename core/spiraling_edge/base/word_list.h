@@ -1,7 +1,9 @@
 /// Words in a sentence.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +35,29 @@ inline std::string capitalized(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
         text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
+}
+
+/// The items, or their texts, with `between` between two.
+template <typename Items, typename TextOf = std::identity>
+std::string joined(const Items& items, std::string_view between, TextOf textOf = {}) {
+    std::string text;
+    for (const auto& item : items) {
+        if (!text.empty()) text += between;
+        text += textOf(item);
+    }
+    return text;
+}
+/// Whole numbers as joined().
+template <typename Numbers>
+std::string joinedNumbers(const Numbers& numbers, std::string_view between = ", ") {
+    return joined(numbers, between, [](auto number) { return std::to_string(number); });
+}
+/// The first of a list of whole numbers: "1, 2, 3, ... (70)".
+template <typename Numbers>
+std::string firstNumbers(const Numbers& numbers, std::size_t limit) {
+    const std::string text =
+        joinedNumbers(std::span(numbers).first(std::min(limit, numbers.size())));
+    return numbers.size() <= limit ? text : text + ", ... (" + std::to_string(numbers.size()) + ")";
 }
 
 /// "PLY, OBJ or OFF" of three words and "or"; with commas alone if `conjunction` is empty.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/given_normals.h"
@@ -203,8 +204,7 @@ Status requireMostLeft(std::span<const Vec3> before, std::span<const Vec3> after
     const std::size_t left = countPlaces(after);
     const bool emptied = left == 0 && !before.empty();
     if (!emptied && 2 * left >= places) return success();
-    std::string text;
-    for (const std::string& each : done) text += (text.empty() ? "" : "; ") + each;
+    const std::string text = joined(done, "; ");
     return Error{"the fixes would leave " + std::to_string(left) + " of " +
                  counted(places, "distinct finite position") +
                  (places == 0 ? "" : ", fewer than half") +

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/lists.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 
 namespace se::io {
@@ -595,8 +596,7 @@ class XyzReader : LineByLine {
             if (!headerFits()) return false;
             file_.columns.reason = "named in " + lineText(headerLine_);
         }
-        for (const std::string& name : all)
-            file_.columns.names += (file_.columns.names.empty() ? "" : " ") + name;
+        file_.columns.names = joined(all, " ");
         return true;
     }
 

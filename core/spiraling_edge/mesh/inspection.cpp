@@ -17,6 +17,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/geometry/point_grid.h"
@@ -517,14 +518,7 @@ constexpr FailureClass kClasses[] = {
 };
 
 /// "1, 2, 3"; long lists end in "... (70)".
-std::string list(const std::vector<Index>& numbers) {
-    constexpr std::size_t kShown = 8;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kShown, numbers.size()); ++i)
-        text += (text.empty() ? "" : ", ") + std::to_string(numbers[i]);
-    if (numbers.size() > kShown) text += ", ... (" + std::to_string(numbers.size()) + ")";
-    return text;
-}
+std::string list(const std::vector<Index>& numbers) { return firstNumbers(numbers, 8); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/run/live_check.h"
 
@@ -137,9 +138,8 @@ std::string missingPointIn(std::string_view line, std::size_t points) {
 Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
     if (const auto mistake = mistakeIn(line)) {
         if (!mistake->isUnknown) return Error{mistake->message};
-        std::string forms;
-        for (const QueryTerm& term : queryTerms())
-            forms += (forms.empty() ? "" : ", ") + std::string(term.form);
+        const std::string forms =
+            joined(queryTerms(), ", ", [](const QueryTerm& term) { return term.form; });
         return Error{inQuotes(mistake->word) + " is not understood; there are " + forms + "."};
     }
     DecisionQuery query;

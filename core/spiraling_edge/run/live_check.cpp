@@ -12,6 +12,7 @@
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/lists.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/second_layer.h"
@@ -274,9 +275,7 @@ std::vector<LiveFailure> LiveCheck::check(std::span<const Event> events) {
 bool LiveCheck::complete() const { return checker_->searchesAll(); }
 
 std::string describe(const LiveFailure& failure) {
-    std::string names;
-    for (const Index each : failure.points)
-        names += (names.empty() ? "" : ", ") + std::to_string(each);
+    const std::string names = joinedNumbers(failure.points);
     const std::string_view kind = failure.kind->name;
     const std::string made = "Triangle " + std::to_string(failure.triangle);
     const std::string other = std::to_string(failure.other);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/given_start.h"
 
@@ -69,10 +70,7 @@ constexpr WatchTerm kWatchTerms[] = {
 };
 
 std::string allForms() {
-    std::string forms;
-    for (const WatchTerm& term : kWatchTerms)
-        forms += (forms.empty() ? "" : ", ") + std::string(term.form);
-    return forms;
+    return joined(kWatchTerms, ", ", [](const WatchTerm& term) { return term.form; });
 }
 
 /// Counts the USED points from the points in the events of each pivot.

@@ -142,7 +142,7 @@ void drawRow(const PanelContext& context, std::size_t index) {
     const float at = left + std::max(8.6F * context.em, width + 2.0F * context.em);
     ImGui::SameLine(at);
     const std::string points =
-        std::string(alert.failure.kind->singular) + " " + pointsText(alert.failure, 6);
+        std::string(alert.failure.kind->singular) + " " + firstNumbers(alert.failure.points, 6);
     dimShortText(points, ImGui::GetContentRegionMax().x - at);
     ImGui::PopID();
 }
@@ -215,12 +215,13 @@ void drawChosen(const PanelContext& context) {
     const RunFailure* alert = session.alerts().shown();
     const MeshFailure& failure = alert->failure;
     std::string what =
-        (failure.points.size() == 1 ? "Point " : "Points ") + pointsText(failure, 12);
+        (failure.points.size() == 1 ? "Point " : "Points ") + firstNumbers(failure.points, 12);
     if (!failure.triangles.empty()) {
         what += failure.triangles.size() == 1 ? "; triangle " : "; triangles ";
-        for (std::size_t i = 0; i < std::min<std::size_t>(6, failure.triangles.size()); ++i)
-            what += (i == 0 ? "" : ", ") + std::to_string(failure.triangles[i]);
-        if (failure.triangles.size() > 6) what += ", ...";
+        constexpr std::size_t kShown = 6;
+        const std::size_t count = std::min(kShown, failure.triangles.size());
+        what += joinedNumbers(std::span(failure.triangles).first(count));
+        if (failure.triangles.size() > kShown) what += ", ...";
     }
     if (failure.length > 0.0)
         what += "; length " + numberText(failure.length) + ", area " + numberText(failure.area);
@@ -291,10 +292,7 @@ std::string noneText(const RunAlerts& alerts) {
 void drawNothing(const RunAlerts& alerts) {
     ImGui::TextUnformatted(noneText(alerts).c_str());
     ImGui::Spacing();
-    std::string checked;
-    for (const FailureClass& each : failureClasses())
-        checked += (checked.empty() ? "" : ", ") + titleOf(each);
-    dimText("Searched for: " + checked + ".");
+    dimText("Searched for: " + joined(failureClasses(), ", ", titleOf) + ".");
 }
 
 void drawSearch(const PanelContext& context) {

@@ -432,9 +432,7 @@ std::vector<std::string> figuresOf(const PanelContext& context) {
 void drawFigures(const PanelContext& context, const Rect& area) {
     if (area.size.x <= 0.0F || !context.session().ready()) return;
     const float em = context.em;
-    std::string text;
-    for (const std::string& each : figuresOf(context))
-        text += (text.empty() ? "" : " \xC2\xB7 ") + each;
+    std::string text = joined(figuresOf(context), " \xC2\xB7 ");
     const float room = area.size.x - (kMargin + kFold + kNotes + 0.8F) * em;
     text = fitted(text, room);
     const float width = textWidth(text);

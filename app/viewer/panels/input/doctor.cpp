@@ -164,10 +164,8 @@ void drawRepaired(const PanelContext& context) {
 void drawFixAll(const PanelContext& context) {
     const std::vector<std::string> fixes = safeFixes(context.session().doctorJob().findings());
     if (fixes.empty()) return;
-    std::string text;
-    for (const std::string& name : fixes) {
-        text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->fix));
-    }
+    const std::string text = joined(
+        fixes, "\n", [](const std::string& name) { return fixText(findDoctorCheck(name)->fix); });
     if (textButton(context, "Apply all safe fixes", "doctor fix all", text + "\nCtrl+Z undoes it."))
         follow(context, fixes);
 }

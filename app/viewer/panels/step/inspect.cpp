@@ -65,9 +65,7 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
         valueRow(context, types ? "type *" : "type", typeText(points.type[point]));
         valueRow(context, "position", numbersText(points.position[point]));
         valueRow(context, normals ? "normal *" : "normal", numbersText(points.normal[point]));
-        std::string list;
-        for (const Index q : points.neighbors[point])
-            list += (list.empty() ? "" : ", ") + std::to_string(q);
+        const std::string list = joinedNumbers(points.neighbors[point]);
         valueRow(context, lists ? "neighbors *" : "neighbors", list.empty() ? "none" : list);
         // The star is at derived values.
         if (lists || types || normals)
@@ -98,7 +96,7 @@ void drawBirth(const PanelContext& context, const SelectionFacts& facts, const c
 void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
     if (beginValues("##edge", context)) {
         const auto corners = context.session().selection().corners();
-        valueRow(context, "points", std::to_string(corners[0]) + ", " + std::to_string(corners[1]));
+        valueRow(context, "points", joinedNumbers(corners));
         valueRow(context, "length", numberText(facts.length));
         std::string list;
         for (std::size_t i = 0; i < facts.triangles.size(); ++i) {
@@ -116,15 +114,9 @@ void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
 void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
     if (beginValues("##triangle", context)) {
         const auto corners = context.session().selection().corners();
-        std::string points;
-        std::string angles;
-        for (std::size_t i = 0; i < 3; ++i) {
-            points += (i == 0 ? "" : ", ") + std::to_string(corners[i]);
-            angles += (i == 0 ? "" : ", ") + degreesText(facts.degrees[i]);
-        }
         valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "repaired");
-        valueRow(context, "corners", points);
-        valueRow(context, "angles", angles);
+        valueRow(context, "corners", joinedNumbers(corners));
+        valueRow(context, "angles", joined(facts.degrees, ", ", degreesText));
         valueRow(context, "area", numberText(facts.area));
         ImGui::EndTable();
     }
