@@ -412,8 +412,7 @@ Status adoptLesson(Options& o) {
     // Of an export the lesson is read with its order.
     if (o.exported || !isLesson(o.input.source)) return success();
     o.lesson = std::exchange(o.input.source, {});
-    if (isLessonFile(o.lesson))
-        o.lesson = std::filesystem::absolute(o.lesson).lexically_normal().string();
+    if (isLessonFile(o.lesson)) o.lesson = wholePath(o.lesson);
     return success();
 }
 

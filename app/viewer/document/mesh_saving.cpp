@@ -8,6 +8,7 @@
 
 #include "document.h"
 #include "run/packed_file.h"
+#include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -27,13 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "spiraling-edge";
-
-/// An absolute path, since the terminal may be in another folder.
-std::string wholePath(const std::string& path) {
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error);
-    return (error ? fs::path(path) : whole).lexically_normal().string();
-}
 
 std::string stemOf(const std::string& source, std::size_t points) {
     if (isScene(source)) return source.substr(kScenePrefix.size());
@@ -74,6 +68,7 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
         return {
             {}, {}, "These points came in a link. Save them to a file, open it, and copy again."};
     }
+    // The terminal may be in another folder.
     if (!isSample(source)) return {{}, wholePath(source), {}};
     Result<SampleSpec> spec = sampleFromSource(source);
     if (!spec) return {{}, {}, spec.error().message};

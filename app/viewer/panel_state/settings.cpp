@@ -163,12 +163,6 @@ KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
     return map;
 }
 
-/// Valid in any folder.
-std::string absolutePath(const std::string& path) {
-    std::error_code error;
-    return fs::absolute(path, error).lexically_normal().string();
-}
-
 PanelSizes panelSizesIn(const json& object) {
     const json panels = objectIn(object, "panels");
     return {fieldIn(panels, "column", 1.0F, 1000.0F, 0.0F), flagIn(panels, "columnFolded", false)};
@@ -308,7 +302,7 @@ void remember(KeptState& state, const std::string& path) {
         if (!spec) return;
         source = sampleSource(spec.value());
     }
-    const std::string whole = movedSource(source, absolutePath);
+    const std::string whole = movedSource(source, wholePath);
     std::vector<std::string>& list = state.recent;
     std::erase(list, whole);
     list.insert(list.begin(), whole);

@@ -33,6 +33,12 @@ void printLines(std::FILE* stream, std::string_view text) {
     std::fputs(printableLines(text).c_str(), stream);
 }
 
+std::string wholePath(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path, error);
+    return (error ? std::filesystem::path(path) : whole).lexically_normal().string();
+}
+
 std::optional<std::string> readText(const std::filesystem::path& path) {
     Result<std::string> bytes = readBytes(path, kTextLimit);
     return bytes ? std::optional(std::move(bytes.value())) : std::nullopt;

@@ -31,6 +31,8 @@ std::string grouped(std::size_t number);
 void printLines(std::FILE* stream, std::string_view text);
 /// All bytes of a file; empty if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
+/// The path as it holds in any folder; as given if the present folder is not known.
+std::string wholePath(const std::string& path);
 
 // Numbers and boxes as text, the same in the view, on the dial and in Inspect, independent of the
 // locale. A number that rounds to zero has no sign: never "-0".

@@ -409,7 +409,7 @@ fs::path firstFolder(const PanelContext& context) {
                           : file                    ? fs::path(source)
                                                     : fs::path();
     if (near.empty()) return fs::current_path(error);
-    return fs::absolute(near, error).lexically_normal().parent_path();
+    return fs::path(wholePath(near.string())).parent_path();
 }
 
 void drawScenes(const PanelContext& context) {

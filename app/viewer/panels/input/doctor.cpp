@@ -106,14 +106,11 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
     if (isSample(source)) return commandForMade(source, finding);
     // There is no file.
     if (isPacked(source)) return {};
-    std::error_code error;
-    const fs::path whole = fs::absolute(source, error);
-    const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
-    return remedyFor(
-        finding,
-        shellPath(input) + optionsText(context.session().input().spec(), {SpecGroup::Reading}),
-        shellPath(output));
+    return remedyFor(finding,
+                     shellPath(wholePath(source)) +
+                         optionsText(context.session().input().spec(), {SpecGroup::Reading}),
+                     shellPath(output));
 }
 
 /// Requests to open the input again, with these fixes besides those it has.
