@@ -346,6 +346,7 @@ void Application::update(double seconds) {
         session_.watches().want(ui_.watch.expressions);
     }
     play(seconds);
+    if (ui_.growth.open) sampling_.play(seconds);
     session_.showNames(ui_.settings.names);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));
 }

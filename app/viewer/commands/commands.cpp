@@ -525,6 +525,8 @@ struct Meaning {
 constexpr auto kMeanings = std::to_array<Meaning>({
     {"run.play", &NewPoints::playOrPause},
     {"run.step", &NewPoints::step},
+    {"run.slower", &NewPoints::slower},
+    {"run.faster", &NewPoints::faster},
     {"step.event.next", &NewPoints::step},
     {"step.pivot.next", &NewPoints::step},
     {"run.end", &NewPoints::finish},

@@ -76,13 +76,19 @@ void addDomain(const Model& model, const GrowthPicture& picture, const Palette& 
 }  // namespace
 
 void NewPoints::begin(SampleSpec spec) {
-    spec.maxBytes = usual_.maxBytes;
     GrowthPage& page = c_.ui.growth;
     page.form.take(spec);
     page.open = true;
     before_ = c_.camera.pose();
-    growth_.start(spec);
+    spread(std::move(spec));
     poll();
+}
+
+/// Spreads them from the start: as many steps as the specification has, or played.
+void NewPoints::spread(SampleSpec spec) {
+    spec.maxBytes = usual_.maxBytes;
+    spec.steps > 0 ? playback_.pause() : playback_.play();
+    growth_.start(spec);
 }
 
 void NewPoints::showPage(GrowthSource from) {
@@ -116,8 +122,25 @@ void NewPoints::start() {
     Result<SampleSpec> spec = page.form.spec();
     page.complaint = spec ? std::string{} : spec.error().message;
     if (!spec) return;
-    spec.value().maxBytes = usual_.maxBytes;
-    growth_.start(spec.value());
+    spread(std::move(spec.value()));
+}
+
+bool NewPoints::moving() const {
+    const GrowthPhase phase = growth_.phase();
+    const bool works = phase == GrowthPhase::Finding || phase == GrowthPhase::Spreading;
+    return c_.ui.growth.open && (works || playback_.playing());
+}
+
+void NewPoints::play(double seconds) {
+    const GrowthPhase phase = growth_.phase();
+    if (phase == GrowthPhase::Done || phase == GrowthPhase::Failed) playback_.pause();
+    if (phase != GrowthPhase::Paused) return;
+    if (const int due = playback_.due(seconds); due > 0) growth_.play(due);
+}
+
+void NewPoints::pause() {
+    playback_.pause();
+    growth_.pause();
 }
 
 bool NewPoints::poll() {
@@ -150,16 +173,25 @@ void NewPoints::home() {
 }
 
 void NewPoints::playOrPause() {
-    if (growth_.moving()) return growth_.pause();
-    growth_.phase() == GrowthPhase::Paused ? growth_.play() : start();
+    if (moving()) return pause();
+    growth_.phase() == GrowthPhase::Paused ? playback_.play() : start();
 }
 
-void NewPoints::finish() { growth_.phase() == GrowthPhase::Idle ? start() : growth_.finish(); }
+void NewPoints::step() {
+    if (playback_.playing()) pause();
+    growth_.advance(1);
+}
+
+void NewPoints::finish() {
+    if (growth_.phase() == GrowthPhase::Idle) return start();
+    playback_.pause();
+    growth_.finish();
+}
 
 void NewPoints::use() {
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) return;
-    growth_.pause();
+    pause();
     RunSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
@@ -170,6 +202,7 @@ void NewPoints::use() {
 
 void NewPoints::leave() {
     c_.ui.betweenFrames([this] {
+        playback_.pause();
         growth_.cancel();
         c_.ui.growth.open = false;
         model_.reset();
@@ -195,6 +228,7 @@ void NewPoints::save(const std::string& path) {
 
 void NewPoints::waitUntilDone() {
     if (!c_.ui.growth.open) return;
+    if (playback_.playing()) finish();
     growth_.waitUntilDone();
     takePicture();
 }

@@ -9,6 +9,7 @@
 #include "jobs/growth.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
+#include "session/playback.h"
 #include "session/session.h"
 #include "ui_state.h"
 
@@ -16,7 +17,10 @@ namespace se::view {
 
 class NewPoints {
   public:
-    explicit NewPoints(CommandContext& context) : c_(context) {}
+    /// Steps per second as long as the user has chosen no other speed.
+    static constexpr double kRate = 30.0;
+
+    explicit NewPoints(CommandContext& context) : c_(context) { playback_.setRate(kRate); }
 
     /// Opens the page with these particles; `usual` has the options for opening the points later.
     void begin(SampleSpec spec);
@@ -31,7 +35,13 @@ class NewPoints {
     /// Spreads the points of the form from the start.
     void start();
     void playOrPause();
-    void step() { growth_.step(); }
+    /// Makes the steps that are due after `seconds` more, while it plays.
+    void play(double seconds);
+    const Playback& playback() const { return playback_; }
+    void slower() { playback_.slower(); }
+    void faster() { playback_.faster(); }
+    /// One step, then pauses.
+    void step();
     /// To the end of spreading.
     void finish();
     /// Opens the points for a run.
@@ -45,7 +55,7 @@ class NewPoints {
 
     /// Blocks until nothing moves: for pictures without a user.
     void waitUntilDone();
-    bool moving() const { return c_.ui.growth.open && growth_.moving(); }
+    bool moving() const;
     /// The particles, and what their thread does.
     const Growth& growth() const { return growth_; }
 
@@ -58,10 +68,13 @@ class NewPoints {
 
   private:
     void showPage(GrowthSource from);
+    void spread(SampleSpec spec);
+    void pause();
     void takePicture();
 
     CommandContext& c_;
     Growth growth_;
+    Playback playback_;  ///< Of its steps.
     RunSpec usual_;
     std::unique_ptr<Model> model_;
     DrawList list_;

@@ -53,14 +53,14 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     const Result<PointFile> same = samplePoints(spec, {});
     REQUIRE(same.ok());
     CHECK(same.value().position == before->position);
-    growth.step();
+    growth.advance(1);
     growth.waitUntilDone();
     CHECK(growth.picture()->step == 6);
     CHECK(growth.picture()->points->position != before->position);
     growth.finish();
     growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Done);
-    growth.step();
+    growth.advance(1);
     growth.waitUntilDone();
     CHECK(growth.picture()->step == Sampler::allSteps());
 }
@@ -81,6 +81,7 @@ TEST_CASE("Played particles are shown on their way, and stop on request") {
     for (int i = 0; i < 2000 && !seen; ++i) {
         runSlices(std::chrono::milliseconds(1));
         growth.poll();
+        if (growth.phase() == GrowthPhase::Paused) growth.play(1);
         const GrowthPicture* picture = growth.picture();
         seen = picture != nullptr && picture->step > 2 && picture->step < Sampler::allSteps();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));

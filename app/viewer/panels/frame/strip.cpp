@@ -330,34 +330,9 @@ constexpr std::array kAfter = {
     CommandButton{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
     CommandButton{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
 
-void drawButtons(const PanelContext& context, std::span<const CommandButton> buttons,
-                 bool enabled) {
-    for (const CommandButton& b : buttons) {
-        drawCommandButton(context, b, withKeys(context, b.text, b.command), enabled);
-        ImGui::SameLine(0.0F, 0.2F * context.em);
-    }
-}
-
 CommandButton playButton(const PanelContext& context) {
     const bool playing = context.playback().playing();
     return {"##play", playing ? Icon::Pause : Icon::Play, "run.play", playing ? "Pause" : "Play"};
-}
-
-void drawSpeed(const PanelContext& context) {
-    const Playback& playback = context.playback();
-    if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
-    tooltip(withKeys(context, "Slower", "run.slower"));
-    ImGui::SameLine(0.0F, 0.0F);
-    const std::string shown = playback.unlimited() ? "max" : formatted("%.3g/s", playback.rate());
-    const float width = 3.4F * context.em;
-    const float pad = 0.5F * (width - ImGui::CalcTextSize(shown.c_str()).x);
-    const float x = ImGui::GetCursorPosX();
-    ImGui::SetCursorPosX(x + pad);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::SameLine(x + width);
-    if (ImGui::Button("+##faster", {1.6F * context.em, 0})) context.run("run.faster");
-    tooltip(withKeys(context, "Faster; above 60 a second, as fast as drawn", "run.faster"));
 }
 
 /// The unit of playback: a click changes to the next. As wide as the longest name, so that nothing
@@ -406,7 +381,7 @@ void drawTransport(const PanelContext& context, const Rect& area) {
         ImGui::SameLine(0.0F, 0.7F * em);
         drawUnit(context);
         ImGui::SameLine(0.0F, 0.5F * em);
-        drawSpeed(context);
+        drawSpeed(context, context.playback());
     }
     ImGui::EndGroup();
 }

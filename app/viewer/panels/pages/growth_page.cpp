@@ -190,26 +190,26 @@ void drawValues(const PanelContext& context) {
     }
 }
 
+constexpr std::array kAgain = {CommandButton{"##restart", Icon::SkipStart, "run.start", "Restart"}};
+constexpr std::array kOn = {
+    CommandButton{"##step", Icon::StepForward, "step.event.next", "One step, then pause"},
+    CommandButton{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
+
 void drawSteppers(const PanelContext& context) {
-    const Growth& growth = context.commands.sampling.growth();
-    const bool over = growth.phase() == GrowthPhase::Done;
-    const bool plays = growth.moving();
-    const std::array buttons = {
-        CommandButton{"##restart", Icon::SkipStart, "run.start", "Restart"},
-        CommandButton{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
-                      plays  ? "Pause"
-                      : over ? "Restart"
-                             : "Continue spreading, 30 steps per second"},
-        CommandButton{"##step", Icon::StepForward, "step.event.next", "One step, then pause"},
-        CommandButton{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
-    for (const CommandButton& b : buttons) {
-        const bool forward = b.icon == Icon::StepForward || b.icon == Icon::SkipEnd;
-        const bool enabled = !forward || (!over && growth.phase() != GrowthPhase::Failed);
-        drawCommandButton(context, b, std::string(b.text) + " (" + context.key(b.command) + ")",
-                          enabled, b.icon == Icon::Pause);
-        context.where()[std::string("growth ") + (b.id + 2)] = lastItem();
-        ImGui::SameLine(0.0F, 0.2F * context.em);
-    }
+    const NewPoints& points = context.commands.sampling;
+    const GrowthPhase phase = points.growth().phase();
+    const bool over = phase == GrowthPhase::Done;
+    const bool plays = points.moving();
+    const CommandButton play{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
+                             plays  ? "Pause"
+                             : over ? "Restart"
+                                    : "Continue spreading"};
+    drawButtons(context, kAgain, true);
+    drawCommandButton(context, play, withKeys(context, play.text, play.command), true, true);
+    ImGui::SameLine(0.0F, 0.2F * context.em);
+    drawButtons(context, kOn, !over && phase != GrowthPhase::Failed);
+    drawSpeed(context, points.playback());
+    ImGui::SameLine(0.0F, 0.7F * context.em);
 }
 
 void drawProgress(const PanelContext& context, float width) {

@@ -18,6 +18,7 @@
 #include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "screen_painter.h"
+#include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
 
@@ -239,6 +240,30 @@ std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command) {
     const std::string keys = context.settings().keys.all(*findCommand(command));
     return keys.empty() ? text : text + " (" + keys + ")";
+}
+
+void drawButtons(const PanelContext& context, std::span<const CommandButton> buttons,
+                 bool enabled) {
+    for (const CommandButton& b : buttons) {
+        drawCommandButton(context, b, withKeys(context, b.text, b.command), enabled);
+        ImGui::SameLine(0.0F, 0.2F * context.em);
+    }
+}
+
+void drawSpeed(const PanelContext& context, const Playback& playback) {
+    if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
+    tooltip(withKeys(context, "Slower", "run.slower"));
+    ImGui::SameLine(0.0F, 0.0F);
+    const std::string shown = playback.unlimited() ? "max" : formatted("%.3g/s", playback.rate());
+    const float width = 3.4F * context.em;
+    const float pad = 0.5F * (width - ImGui::CalcTextSize(shown.c_str()).x);
+    const float x = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(x + pad);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::SameLine(x + width);
+    if (ImGui::Button("+##faster", {1.6F * context.em, 0})) context.run("run.faster");
+    tooltip(withKeys(context, "Faster; above 60 a second, as fast as drawn", "run.faster"));
 }
 
 void takeKeyboard() {

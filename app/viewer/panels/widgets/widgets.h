@@ -128,6 +128,10 @@ void drawCommandButton(const PanelContext& context, const CommandButton& button,
 /// "Next pivot (F10, .)": with the user's keys.
 std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command);
+/// The buttons of a transport, side by side, with their keys; the next item follows them.
+void drawButtons(const PanelContext& context, std::span<const CommandButton> buttons, bool enabled);
+/// The speed of a playback, between the buttons that change it.
+void drawSpeed(const PanelContext& context, const Playback& playback);
 /// Gives the keyboard focus to the item drawn last.
 void takeKeyboard();
 /// Gives it to the first item of the current window; without one, arrows scroll the window.
