@@ -54,7 +54,6 @@ Application::Application(const Options& options, const ViewSettings& settings)
       firstRun_(context_),
       export_(std::make_unique<WindowExport>(context_)),
       history_(context_) {
-    if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
     if (options.cheatSheet) ui_.help = HelpPage::Keys;
     ui_.picture = options.picture;
@@ -108,7 +107,6 @@ bool Application::poll() {
     const bool taught = lesson_.poll();
     const bool played = firstRun_.poll();
     if (!ui_.lesson.walk.isOpen()) alerts_.poll();
-    if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     const bool compared = compare_.poll();
     const Compared* found = compare_.comparison().result();
     if (options_.atDifference && found != nullptr && !session_.moves().busy() &&
@@ -140,7 +138,6 @@ Status Application::waitUntilDone() {
     if (!document_.placeStatus()) return document_.placeStatus();
     if (!options_.goTo.empty() && session_.messages().missed())
         return Error{session_.messages().last()};
-    if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     compare_.waitUntilDone();
     if (const std::string& wrong = compare_.comparison().complaint(); !wrong.empty())
         return Error{wrong};

@@ -56,7 +56,7 @@ void Document::begin(const Options& options) {
             warnLater("Opened with other options than the session has (" + difference +
                       "): addresses and bookmarks may refer to other decisions.");
     }
-    if (options.with) with_ = options.with;
+    if (options.with) c_.compare.beginWith(*options.with);
     if (options.layout) c_.ui.layoutPreset = *options.layout;
     if (options.lessons) c_.ui.column.choose(Task::Lesson);
     keptLayout_ = c_.ui.layoutPreset;
@@ -238,7 +238,7 @@ void Document::takeLooks(const SessionFile& file, const std::string& path) {
     ui.sessionPath = path;
     original_ = file.original;
     saved_ = annotationsOf(c_.ui);
-    if (file.with.kind != CompareWith::Kind::Nothing) with_ = file.with;
+    if (file.with.kind != CompareWith::Kind::Nothing) c_.compare.beginWith(file.with);
     if (!file.leftOut.empty()) warnLater(file.leftOut);
     arrival_.ofSession = true;
     arrival_.goTo = file.place.address;
@@ -296,7 +296,7 @@ void Document::arrive() {
     if (arrival_.ofSession || !arrival_.file.empty() || source != keptSpec_.source) keepSettings();
     arrival_.pending = false;
     alert_ = std::exchange(arrival_.alert, {});
-    if (arrival_.with) with_ = std::exchange(arrival_.with, std::nullopt);
+    if (arrival_.with) c_.compare.beginWith(*std::exchange(arrival_.with, std::nullopt));
     placed_ = !arrival_.goTo.empty() || arrival_.camera;
     ofSession_ = arrival_.ofSession;
     note(arrival_.file);

@@ -85,8 +85,6 @@ class Document {
     std::string takeAlert() { return std::exchange(alert_, {}); }
     /// The input was opened at a named position.
     bool placed() const { return placed_; }
-    /// The counterpart named by the session or the command line, once.
-    std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
     /// Error if the position of the command line does not exist.
     const Status& placeStatus() const { return placeStatus_; }
     /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
@@ -173,7 +171,6 @@ class Document {
     RunSpec keptSpec_;                  ///< The settings when the input was opened or saved.
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
-    std::optional<CompareWith> with_;
     Looks linkedLooks_;
     std::optional<std::uint64_t> endOfLink_;  ///< Expected state hash at the end, from a link.
     std::uint32_t linked_ = 0;                ///< Generation of the session with that end.
