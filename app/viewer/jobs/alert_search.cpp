@@ -169,16 +169,13 @@ void TrialJob::open(std::shared_ptr<const PointFile> file, RunSpec spec) {
     // Preparing takes one thread; the search for faults takes all, at low priority.
     spec_.neighbors.threads = 1;
     started_ = false;
-    trials_ = {};
-    trying_.clear();
-    change_.reset();
-    complaint_.clear();
+    now_ = {};
 }
 
 void TrialJob::start() {
     if (started_ || file_ == nullptr) return;
     started_ = true;
-    trying_ = trialText({});
+    now_.next = trialText({});
     job_.start([file = file_, spec = spec_](auto& results) {
         if (usesThreads()) os::lowerPriority();
         double share = 0.0;
@@ -211,7 +208,7 @@ void TrialJob::start() {
 
 void TrialJob::stop() {
     job_.cancel();
-    trying_.clear();
+    now_.next.clear();
 }
 
 bool TrialJob::poll() {
@@ -219,15 +216,14 @@ bool TrialJob::poll() {
     const bool ended = job_.ended();
     std::vector<Progressed> found = job_.take();
     for (Progressed& each : found) {
-        complaint_ = std::move(each.complaint);
-        if (!complaint_.empty()) break;
-        trials_ = std::move(each.trials);
-        trying_ = std::move(each.next);
-        change_ = std::move(each.change);
+        if (each.complaint.empty())
+            now_ = std::move(each);
+        else
+            now_.complaint = std::move(each.complaint);
     }
     if (ended) {
-        if (!job_.complaint().empty()) complaint_ = job_.complaint();
-        trying_.clear();
+        if (!job_.complaint().empty()) now_.complaint = job_.complaint();
+        now_.next.clear();
         job_.close();
     }
     return ended || !found.empty();

@@ -162,16 +162,18 @@ class TrialJob {
     /// In [0, 1], while busy.
     double share() const { return job_.share(); }
     /// Trials so far.
-    const Trials& trials() const { return trials_; }
+    const Trials& trials() const { return now_.trials; }
     /// The best of them; null if none is better than the open run.
-    const Trial* best() const { return trials_.best > 0 ? &trials_.tried[trials_.best] : nullptr; }
+    const Trial* best() const {
+        return trials().best > 0 ? &trials().tried[trials().best] : nullptr;
+    }
     /// The triangles in which the mesh of best() differs from that of the open run; null if there
     /// is no best().
-    const MeshChange* change() const { return change_.get(); }
+    const MeshChange* change() const { return now_.change.get(); }
     /// A sentence why the trials ended early; empty if they did not.
-    const std::string& complaint() const { return complaint_; }
+    const std::string& complaint() const { return now_.complaint; }
     /// The trial in progress: "trying robust rules".
-    const std::string& trying() const { return trying_; }
+    const std::string& trying() const { return now_.next; }
 
   private:
     struct Progressed {
@@ -184,10 +186,7 @@ class TrialJob {
     std::shared_ptr<const PointFile> file_;
     RunSpec spec_;
     bool started_ = false;
-    Trials trials_;
-    std::string trying_;
-    std::shared_ptr<const MeshChange> change_;
-    std::string complaint_;
+    Progressed now_;
     BackgroundJob<Progressed> job_;
 };
 
