@@ -127,7 +127,7 @@ Status Application::waitUntilDone() {
     sampling_.waitUntilDone();
     if (sampling_.growth().phase() == GrowthPhase::Failed) return Error{ui_.growth.complaint};
     lesson_.waitUntilDone();
-    if (!lesson_.status()) return lesson_.status();
+    if (const std::string& why = lesson_.opening().complaint(); !why.empty()) return Error{why};
     session_.waitUntilDone();
     if (inputFailed()) return Error{session_.input().error()};
     document_.poll();

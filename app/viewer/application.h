@@ -97,7 +97,8 @@ class Application {
     bool fullScreen() const { return ui_.fullScreen; }
     bool inputFailed() const {
         return session_.input().phase() == SessionPhase::Failed ||
-               sampling_.growth().phase() == GrowthPhase::Failed || !lesson_.status();
+               sampling_.growth().phase() == GrowthPhase::Failed ||
+               !lesson_.opening().complaint().empty();
     }
     std::string title() const;
     /// Reads recent files and layout from that file and keeps them there; to be called before

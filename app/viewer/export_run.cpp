@@ -16,7 +16,6 @@
 #include "document/link.h"
 #include "document/link_actions.h"
 #include "document/ui_state.h"
-#include "jobs/open_lesson.h"
 #include "lesson/lesson_player.h"
 #include "panels/ui.h"
 #include "render/relief.h"
@@ -140,8 +139,7 @@ ExportRun::ExportRun(const Options& options, ViewSettings settings)
     : options_(options),
       settings_(std::move(settings)),
       order_(*options.exported),
-      format_(exportFormatOf(order_.path)),
-      runs_(order_.lesson ? order_.lesson->folder : std::filesystem::path()) {
+      format_(exportFormatOf(order_.path)) {
     assert(format_ != nullptr);
     PictureLook& look = options_.picture;
     look.viewAlone = look.pointLabels = true;
@@ -177,11 +175,8 @@ void ExportRun::fail(int code, std::string message) {
 void ExportRun::start() {
     if (order_.lesson) {
         steps_ = chosenSteps(order_);
-        Result<RunSpec> input = inputOfStep(*order_.lesson, steps_.front());
-        if (!input)
-            return fail(kExitInput,
-                        stepPlace(*order_.lesson, steps_.front(), "rules") + input.error().message);
-        options_.input = opened_ = input.value();
+        walk_.open(order_.lesson, steps_.front());
+        options_.input = inputOfStep(walk_.setting(), walk_.folder()).value();
         options_.goTo = "0";
     }
     if (const Status drawn = checkDrawn(size_, settings_.uiScale); !drawn)
@@ -190,6 +185,7 @@ void ExportRun::start() {
     if (const Status begun = application_->start(1.0F); !begun)
         return fail(kExitNoDisplay, begun.error().message);
     context_ = ImGui::GetCurrentContext();
+    shown_.emplace(application_->context());
     ui().follow = Follow::Never;
     phase_ = Phase::Opening;
 }
@@ -283,10 +279,9 @@ void ExportRun::makeFrame() {
     if (order_.lesson) step = steps_[made_];
     const Status there = step ? openStep(*step) : goTo(plan_.places[made_]);
     if (!there) return fail(step ? kExitInput : kExitUsage, there.error().message);
-    const Status added = step ? addStep(*step) : addFrame(nullptr, false);
-    // Of a lesson, an answer that the run does not give has been reported already.
-    if (!added && !done()) return fail(kExitInternal, added.error().message);
-    if (done() || ++made_ < total()) return;
+    const Status added = step ? addStep() : addFrame(nullptr, false);
+    if (!added) return fail(kExitInternal, added.error().message);
+    if (++made_ < total()) return;
     if (const Status finished = writer_->finish(); !finished)
         return fail(kExitInternal, finished.error().message);
     phase_ = Phase::Done;
@@ -396,86 +391,64 @@ std::string ExportRun::doneText() const {
     return "Saved " + what + " as " + order_.path.string() + ".";
 }
 
-/// Opens the input of a step, if the one before had another.
+/// Opens the input of a step, if the one before had another, and shows the step.
 Status ExportRun::openStep(std::size_t step) {
-    const LessonFile& file = *order_.lesson;
-    Result<RunSpec> input = inputOfStep(file, step);
-    if (!input) return Error{stepPlace(file, step, "rules") + input.error().message};
-    const bool fresh = !(input.value() == opened_);
-    opened_ = input.value();
-    if (fresh) {
-        session().open(opened_);
+    const bool wasSplit = ui().layoutPreset == LayoutPreset::Compare;
+    shown_->leave();
+    walk_.goTo(step);
+    const teach::LessonStep& shown = walk_.shownStep();
+    const auto fault = [&](std::size_t line, const std::string& message) {
+        return Error{walk_.lesson().name + ":" + std::to_string(line) + ": " + message};
+    };
+    // It could be read: the lesson has no faults.
+    const RunSpec input = inputOfStep(walk_.setting(), walk_.folder()).value();
+    if (!(session().input().spec() == input)) {
+        session().open(input);
         session().waitUntilDone();
-        if (application_->inputFailed())
-            return Error{stepPlace(file, step, "") + session().input().error()};
+        if (application_->inputFailed()) return fault(shown.line, session().input().error());
         draw(1);
     }
-    const teach::StepSetting setting = teach::settingOf(file.lesson, step);
-    const Status moved = goTo(setting.at == "0" ? "" : setting.at);
-    if (!moved) return Error{stepPlace(file, step, "at") + moved.error().message};
-    ui().settings.layers = layersOfStep(settings_.layers, file.lesson.steps[step]);
-    session().select(selectionOfStep(file.lesson.steps[step], setting.names));
-    names_ = setting.names;
-    session().giveNames(names_);
-    const bool split = ui().layoutPreset == LayoutPreset::Compare;
-    const bool asks = file.lesson.steps[step].question.has_value();
-    if (const Status compared =
-            compareStep(step, asks ? std::vector<std::string>{} : file.lesson.steps[step].compare);
-        !compared)
-        return compared;
-    const bool resized = split != (ui().layoutPreset == LayoutPreset::Compare);
-    const bool own = hasOwnView(file.lesson.steps[step]);
+    const std::string& at = walk_.setting().at;
+    if (const Status moved = goTo(at == "0" ? "" : at); !moved) return moved;
+    shown_->enter(walk_);
+    if (!shown.question && !shown.compare.empty()) shown_->compare(walk_);
+    if (const Status compared = showComparison(wasSplit); !compared) return compared;
+    const bool resized = wasSplit != (ui().layoutPreset == LayoutPreset::Compare);
+    const bool own = hasOwnView(shown);
     const FollowedDecision here{session().generation(), session().picture().pivot,
                                 viewWayOf(session().shown(), session().picture())};
     // Steps of one decision have one camera.
     const bool before = std::exchange(ownView_, own);
     if (std::exchange(aimed_, here) == here && !resized && !own && !before) return success();
-    const Status aimed = aimAtStep(application_->context(), file.lesson.steps[step], setting);
-    return aimed ? aimed : Error{stepPlace(file, step, "camera") + aimed.error().message};
+    const Status aimed = shown_->aim(walk_);
+    return aimed ? aimed : fault(shown.lines.of("camera"), "camera: " + aimed.error().message);
 }
 
-/// Opens the second run of a step beside the first one; without words there is none.
-Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& words) {
-    const LessonFile& file = *order_.lesson;
-    const bool compares = ui().layoutPreset == LayoutPreset::Compare;
-    if (words.empty() && !compares) return success();
-    ui().layoutPreset = words.empty() ? LayoutPreset::Debug : LayoutPreset::Compare;
-    if (words.empty()) {
-        application_->context().compare.stop();
-    } else {
-        const Result<RunSpec> other = comparedInput(opened_, words);
-        if (!other) return Error{stepPlace(file, step, "compare") + other.error().message};
-        application_->context().compare.begin(CompareWith::otherRun(other.value()));
-    }
+/// Draws until the second run of a step is there, or that of the step before has gone.
+Status ExportRun::showComparison(bool wasSplit) {
+    if (!wasSplit && ui().layoutPreset != LayoutPreset::Compare) return success();
     draw(1);
-    if (const Status done = application_->waitUntilDone(); !done)
-        return Error{stepPlace(file, step, "compare") + done.error().message};
+    if (const Status done = application_->waitUntilDone(); !done) return done;
     draw(1);
     return success();
 }
 
 /// The frame of a step; on a page, that of the answer to its question as well.
-Status ExportRun::addStep(std::size_t step) {
-    const LessonFile& file = *order_.lesson;
-    FrameStep of{file.lesson, step, teach::settingOf(file.lesson, step).names, file.folder};
-    const bool asks =
-        file.lesson.steps[step].question && format_->content == FrameContent::BothThemes;
+Status ExportRun::addStep() {
+    FrameStep of{walk_.lesson(), walk_.step(), walk_.setting().names, walk_.folder()};
+    const bool asks = walk_.question() != nullptr && format_->content == FrameContent::BothThemes;
     if (!asks) return addFrame(&of, false);
-    const Result<teach::RightAnswer> right = teach::rightAnswer(file.lesson, step, runs_);
-    if (!right) {
-        fail(kExitInput, stepPlace(file, step, "") + "answer: " + right.error().message);
-        return right.error();
-    }
-    of.right = &right.value();
+    of.right = &walk_.right();
     if (const Status added = addFrame(&of, false); !added) return added;
-    goToAnswer(step);
-    const Status compared = compareStep(step, file.lesson.steps[step].compare);
+    goToAnswer();
+    if (!walk_.shownStep().compare.empty()) shown_->compare(walk_);
+    const Status compared = showComparison(false);
     return compared ? addFrame(&of, true) : compared;
 }
 
 /// Goes to where the question of a step is answered: to the end of the pivot, without a position.
-void ExportRun::goToAnswer(std::size_t step) {
-    const std::string place = teach::settingOf(order_.lesson->lesson, step).answerPlace;
+void ExportRun::goToAnswer() {
+    const std::string& place = walk_.setting().answerPlace;
     if (!place.empty() && goTo(place)) return;
     session().moves().finishPivot();
     session().waitUntilDone();
@@ -523,10 +496,7 @@ void WindowExport::begin() {
     const Session& session = c_.session;
     const LessonWalk& walk = c_.ui.lesson.walk;
     const std::string address = session.event() != nullptr ? toString(session.address()) : "";
-    Result<ExportOrder> order = form.order(
-        address, walk.isOpen()
-                     ? std::make_shared<const LessonFile>(LessonFile{walk.lesson(), walk.folder()})
-                     : nullptr);
+    Result<ExportOrder> order = form.order(address, walk.opened());
     form.complaint = order ? "" : order.error().message;
     form.working = order.ok();
     if (!order) return;
@@ -534,7 +504,7 @@ void WindowExport::begin() {
     Options options;
     options.noConfig = true;
     if (order.value().lesson) {
-        settings.layers = layersWithout(settings.layers, walk.shownStep());
+        settings.layers = c_.lesson.layersOfUser();
     } else {
         options.session = captureSession(c_);
         options.session->with = {};

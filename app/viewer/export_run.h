@@ -18,7 +18,6 @@
 #include "render/gl_objects.h"
 #include "scene/framing.h"
 #include "scene/picture.h"
-#include "teach/lesson_runs.h"
 
 struct ImGuiContext;
 
@@ -83,11 +82,11 @@ class ExportRun {
     void makeFrame();
     Status goTo(const std::string& place);
     Status openStep(std::size_t step);
-    Status compareStep(std::size_t step, const std::vector<std::string>& words);
+    Status showComparison(bool wasSplit);
     void placeCamera();
     void aimAtFigure();
-    void goToAnswer(std::size_t step);
-    Status addStep(std::size_t step);
+    void goToAnswer();
+    Status addStep();
     Status addFrame(const FrameStep* step, bool answer);
     Status addShapes(ExportFrame& frame);
     FrameShapes shapesOf(const Session& run, const DrawList& list, const Rect& view,
@@ -110,11 +109,10 @@ class ExportRun {
     std::unique_ptr<FrameWriter> writer_;
     FramePlan plan_;
     std::vector<std::size_t> steps_;  ///< Of the lesson, from 0; one per frame.
-    teach::LessonRuns runs_;
-    FollowedDecision aimed_{};      ///< Decision of the step that the camera was aimed for.
-    bool ownView_ = false;          ///< The step before has a camera of its own.
-    RunSpec opened_;                ///< Input of the last step.
-    std::vector<PointName> names_;  ///< Of that step.
+    LessonWalk walk_;                 ///< Of the lesson.
+    std::optional<ShownStep> shown_;  ///< Of application_.
+    FollowedDecision aimed_{};        ///< Decision of the step that the camera was aimed for.
+    bool ownView_ = false;            ///< The step before has a camera of its own.
     Picture pixels_;
     Phase phase_ = Phase::Starting;
     std::size_t made_ = 0;

@@ -25,6 +25,7 @@
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/lesson_read.h"
 #include "teach/lesson_runs.h"
 #include "teach/lesson_text.h"
 #include "teach/spec_json.h"
@@ -386,7 +387,7 @@ Status adoptLesson(Options& o, int& code) {
     if (!o.exported) return success();
     ExportOrder& order = *o.exported;
     code = kExitInput;
-    Result<std::shared_ptr<const LessonFile>> lesson = lessonOfSource(o.input.source);
+    Result<SharedLesson> lesson = lessonOfSource(o.input.source);
     if (!lesson) return lesson.error();
     order.lesson = lesson.value();
     code = kExitUsage;
@@ -467,19 +468,19 @@ Status adoptStandardInput(Options& o) {
 namespace {
 
 /// The files that a lesson reads: its inputs, and its images, which an export may name.
-void addLessonFiles(const LessonFile& file, std::vector<NamedFile>& inputs) {
+void addLessonFiles(const teach::Lesson& lesson, const std::filesystem::path& folder,
+                    std::vector<NamedFile>& inputs) {
     const auto addText = [&](const std::string& text) {
         for (const teach::TextBlock& block : teach::textBlocks(text)) {
-            if (!block.image.empty()) inputs.push_back({"the image", file.folder / block.image});
+            if (!block.image.empty()) inputs.push_back({"the image", folder / block.image});
         }
     };
     const auto addInput = [&](const std::string& input) {
-        if (!input.empty())
-            inputs.push_back({"the points", teach::lessonSource(input, file.folder)});
+        if (!input.empty()) inputs.push_back({"the points", teach::lessonSource(input, folder)});
     };
-    addText(file.lesson.text);
-    addInput(file.lesson.input);
-    for (const teach::LessonStep& step : file.lesson.steps) {
+    addText(lesson.text);
+    addInput(lesson.input);
+    for (const teach::LessonStep& step : lesson.steps) {
         addText(step.text);
         addInput(step.input);
     }
@@ -497,11 +498,13 @@ std::vector<NamedFile> filesRead(const Options& o) {
         inputs.push_back({"the volume", o.grow->surface});
         inputs.push_back({"the data file", dataFileOf(o.grow->surface)});
     }
-    if (o.exported && o.exported->lesson) addLessonFiles(*o.exported->lesson, inputs);
-    if (!o.lesson.empty()) {
+    if (o.exported && o.exported->lesson)
+        addLessonFiles(o.exported->lesson->lesson, o.exported->lesson->folder, inputs);
+    if (isLessonFile(o.lesson)) {
         // A faulty one is reported when it is opened.
-        const auto lesson = lessonOfSource(o.lesson);
-        if (lesson && lesson.value()) addLessonFiles(*lesson.value(), inputs);
+        const auto read = teach::readLessonFile(o.lesson);
+        const auto folder = std::filesystem::path(o.lesson).parent_path();
+        if (read && read.value().ok()) addLessonFiles(read.value().lesson, folder, inputs);
     }
     return inputs;
 }

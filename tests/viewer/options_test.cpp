@@ -71,12 +71,12 @@ TEST_CASE("A file that is read is replaced only by force, whatever it is called"
     CHECK_FALSE(requireInputsKept(o).ok());
     // The frames of a lesson, and its images.
     Options exported;
-    LessonFile lesson;
+    OpenedLesson lesson;
     lesson.folder = folder;
     lesson.lesson.text = "![A picture](image.png)";
     exported.exported = ExportOrder{};
     exported.exported->path = folder / "frames";
-    exported.exported->lesson = std::make_shared<const LessonFile>(lesson);
+    exported.exported->lesson = std::make_shared<const OpenedLesson>(lesson);
     CHECK_FALSE(requireInputsKept(exported).ok());
     exported.exported->path = folder / "image.png";  // Writes image-001.png and so on.
     CHECK(requireInputsKept(exported).ok());

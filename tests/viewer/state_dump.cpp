@@ -268,11 +268,11 @@ void dumpMeshForm(json& out, const UiState& ui, const FinishedMesh* mesh) {
 }
 
 /// The open lesson, without answers that are not shown.
-void dumpLesson(json& out, const LessonPanel& panel) {
+void dumpLesson(json& out, const LessonPanel& panel, const LessonPlayer& player) {
     const LessonWalk& walk = panel.walk;
     out["lesson"] = walk.isOpen() ? walk.lesson().title : "";
-    out["lesson_opening"] = panel.opening;
-    out["lesson_complaint"] = panel.complaint;
+    out["lesson_opening"] = player.opening().busy();
+    out["lesson_complaint"] = player.opening().complaint();
     if (!walk.isOpen()) return;
     out["lesson_step"] = walk.step() + 1;
     out["lesson_title"] = walk.shownStep().title;
@@ -388,7 +388,7 @@ std::string stateDump(Application& app, const InputProgress& input, const Openin
                               std::lround(rect.size.x), std::lround(rect.size.y)};
     }
     for (const Bookmark& each : ui.bookmarks) out["bookmarks"].push_back(toString(each.address));
-    dumpLesson(out, ui.lesson);
+    dumpLesson(out, ui.lesson, c.lesson);
     const bool hides = ui.lesson.hides();
     if (!hides) dumpStops(out, ui, session);
     const ViewPosition place{session.event() != nullptr ? toString(session.address()) : "",

@@ -65,11 +65,9 @@ Status addInput(PageFiles& files, std::string source) {
     return success();
 }
 
-/// A lesson that is a file. It is run first: a page cannot be mended by those who get it.
-Result<PageContent> ofLessonFile(PageContent content, const std::string& source) {
-    const Result<OpenedLesson> opened = openLesson(source, [](double) { return true; });
-    if (!opened) return opened.error();
-    const auto& [name, folder, lesson, right] = opened.value();
+/// A lesson that is a file.
+Result<PageContent> ofLessonFile(PageContent content, const OpenedLesson& opened) {
+    const auto& [source, folder, lesson, right] = opened;
     PageFiles files(folder);
     if (const Status added = files.add(source); !added) return added.error();
     std::vector<std::string> inputs{lesson.input};
@@ -91,8 +89,9 @@ Result<PageContent> ofLesson(const Options& o) {
                      " does not go with a lesson, which has its own options"};
     PageContent content{o, source, {}};
     content.options.input = {};
-    if (o.exported->lesson) content.title = o.exported->lesson->lesson.title;
-    if (isLessonFile(source)) return ofLessonFile(std::move(content), source);
+    const SharedLesson& opened = o.exported->lesson;
+    if (opened) content.title = opened->lesson.title;
+    if (opened && isLessonFile(source)) return ofLessonFile(std::move(content), *opened);
     content.options.lesson = isLesson(source) ? source : embeddedLessonSource(source);
     return content;
 }

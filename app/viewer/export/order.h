@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "jobs/open_lesson.h"
 #include "run/model.h"
 #include "session/playback.h"
 #include "spiraling_edge/base/result.h"
-#include "teach/lesson.h"
 
 namespace se::view {
 
@@ -34,20 +34,14 @@ struct FrameRange {
 /// The range of all decisions of the pivot of an address. Fails if it is no address.
 Result<FrameRange> rangeAround(const std::string& address);
 
-/// A lesson, and the folder of its inputs.
-struct LessonFile {
-    teach::Lesson lesson;
-    std::filesystem::path folder;
-};
-
 /// What is exported, and where to.
 struct ExportOrder {
     std::filesystem::path path;
-    std::optional<FrameRange> range;           ///< Empty: the position of the cursor alone.
-    std::shared_ptr<const LessonFile> lesson;  ///< Null: a run.
-    std::vector<std::size_t> steps;            ///< Of the lesson, from 1; empty: all.
-    std::string stepsText;                     ///< As typed, before the lesson is read.
-    double perSecond = 2.0;                    ///< Frames of an animation.
+    std::optional<FrameRange> range;  ///< Empty: the position of the cursor alone.
+    SharedLesson lesson;              ///< Null: a run.
+    std::vector<std::size_t> steps;   ///< Of the lesson, from 1; empty: all.
+    std::string stepsText;            ///< As typed, before the lesson is read.
+    double perSecond = 2.0;           ///< Frames of an animation.
     bool captions = true;
     bool dial = false;     ///< The dial of the pivot, beside the view.
     bool program = false;  ///< The program itself as a page, which begins there; no frames.

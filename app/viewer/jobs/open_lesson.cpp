@@ -87,7 +87,7 @@ std::string fileOfLesson(const teach::Lesson& lesson) {
     return {};
 }
 
-Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress) {
+Result<SharedLesson> openLesson(const std::string& source, const Progress& progress) {
     const Error cancelled{"Cancelled."};
     Result<teach::LessonReading> reading = readingOf(source);
     if (!reading) return reading.error();
@@ -112,7 +112,16 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
         opened.right.back() = std::move(right.value());
     }
     opened.lesson = std::move(lesson);
-    return opened;
+    return std::make_shared<const OpenedLesson>(std::move(opened));
+}
+
+Result<SharedLesson> lessonOfSource(const std::string& source) {
+    std::error_code error;
+    const bool isId =
+        teach::findEmbeddedLesson(source) != nullptr && !std::filesystem::exists(source, error);
+    const std::string named = isId ? embeddedLessonSource(source) : source;
+    if (!isLesson(named) || teach::practiceSeed(named)) return SharedLesson();
+    return openLesson(named, [](double) { return true; });
 }
 
 Result<RunSpec> inputOfStep(const teach::StepSetting& setting,
@@ -124,11 +133,6 @@ Result<RunSpec> inputOfStep(const teach::StepSetting& setting,
     if (!spec) return spec;
     spec.value().source = source.value();
     return spec;
-}
-
-Result<RunSpec> comparedInput(const RunSpec& spec, const std::vector<std::string>& words) {
-    const Result<SpecChange> change = changeFromWords(words);
-    return change ? Result<RunSpec>(otherRun(spec, change.value())) : change.error();
 }
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,17 +46,19 @@ struct OpenedLesson {
     std::vector<std::optional<teach::RightAnswer>> right;
 };
 
+using SharedLesson = std::shared_ptr<const OpenedLesson>;
+
 /// The first input of a lesson that is a file; empty if it has none.
 std::string fileOfLesson(const teach::Lesson& lesson);
 
 /// Reads a lesson and runs its steps. Fails with its first fault, with file and line, or once
 /// `progress` returns false.
-Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress);
+Result<SharedLesson> openLesson(const std::string& source, const Progress& progress);
+/// The lesson of an id or a source, opened; null if `source` names none. Fails as openLesson().
+Result<SharedLesson> lessonOfSource(const std::string& source);
 
 /// The input and options of a step of a lesson in `folder`. Fails if a rule or a what-if is not
 /// known.
 Result<RunSpec> inputOfStep(const teach::StepSetting& setting, const std::filesystem::path& folder);
-/// `spec` changed by the words of `compare` in a lesson. Fails with the word that is not known.
-Result<RunSpec> comparedInput(const RunSpec& spec, const std::vector<std::string>& words);
 
 }  // namespace se::view

@@ -30,80 +30,6 @@ bool isAmong(const std::vector<std::string>& names, const Layer& layer) {
     return std::find(names.begin(), names.end(), layer.name) != names.end();
 }
 
-void setMode(LayerModes& layers, const std::vector<std::string>& names, LayerMode mode) {
-    for (const Layer& each : view::layers()) {
-        if (isAmong(names, each)) modeOf(layers, each.id) = mode;
-    }
-}
-
-Result<std::shared_ptr<const LessonFile>> checkedLesson(teach::LessonReading reading,
-                                                        const std::string& name,
-                                                        const fs::path& folder) {
-    if (!reading.ok()) return Error{teach::faultText(reading.faults.front(), name)};
-    return std::make_shared<const LessonFile>(LessonFile{std::move(reading.lesson), folder});
-}
-
-}  // namespace
-
-Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source) {
-    std::error_code error;
-    const bool file = fs::exists(source, error);
-    const bool named = source.starts_with(kLessonPrefix);
-    const teach::EmbeddedLesson* built =
-        teach::findEmbeddedLesson(named ? source.substr(kLessonPrefix.size()) : source);
-    if (!file && built != nullptr)
-        return checkedLesson(teach::readLesson(built->text, source), source, {});
-    if (!source.ends_with(teach::kLessonExtension)) return std::shared_ptr<const LessonFile>();
-    Result<teach::LessonReading> reading = teach::readLessonFile(source);
-    if (!reading) return reading.error();
-    return checkedLesson(std::move(reading.value()), source, fs::path(source).parent_path());
-}
-
-std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key) {
-    const teach::LessonStep& each = file.lesson.steps[step];
-    const std::size_t line = key.empty() || each.lines.block == 0 ? each.line : each.lines.of(key);
-    const std::string text = file.lesson.name + ":" + std::to_string(line) + ": ";
-    return key.empty() ? text : text + std::string(key) + ": ";
-}
-
-Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step) {
-    return inputOfStep(teach::settingOf(file.lesson, step), file.folder);
-}
-
-LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {
-    setMode(layers, step.pin, LayerMode::PinnedOn);
-    setMode(layers, step.hide, LayerMode::PinnedOff);
-    return layers;
-}
-
-LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step) {
-    setMode(layers, step.pin, LayerMode::Automatic);
-    setMode(layers, step.hide, LayerMode::Automatic);
-    return layers;
-}
-
-Selection selectionOfStep(const teach::LessonStep& step, const std::vector<PointName>& names) {
-    std::vector<Index> points;
-    points.reserve(step.select.size());
-    for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
-    return Selection::of(points);
-}
-
-Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
-                 const teach::StepSetting& setting) {
-    if (step.camera.empty()) {
-        frameStep(context, step.frame == "all", teach::viewDirection(setting));
-        return success();
-    }
-    const Result<ViewPosition> place = viewPositionFromText(step.camera);
-    if (!place || !place.value().camera)
-        return Error{"expected a position with its address, as Ctrl+C copies it"};
-    context.camera.setPose(*place.value().camera);
-    return success();
-}
-
-namespace {
-
 /// The input as it stands in a lesson in `folder`.
 Result<std::string> inputFrom(const std::filesystem::path& folder, const std::string& source) {
     if (isSample(source) || isStandardInput(source) || isPacked(source))
@@ -156,9 +82,6 @@ void LessonPlayer::begin(const Options& options) {
 void LessonPlayer::open(const std::string& source, std::optional<std::size_t> step) {
     toStep_ = step;
     watch_.begin(source);
-    panel().opening = true;
-    panel().share = 0.0;
-    panel().complaint.clear();
     opening_.start([source](const Progress& progress) { return openLesson(source, progress); });
 }
 
@@ -175,19 +98,12 @@ void LessonPlayer::waitUntilDone() {
 bool LessonPlayer::poll() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> passed = now - std::exchange(polled_, now);
-    panel().share = opening_.share();
     bool changed = false;
     if (opening_.poll()) {
         changed = true;
-        panel().opening = false;
-        if (auto lesson = opening_.takeAnswer()) {
-            take(std::move(*lesson));
-        } else {
-            // The lesson before stays.
-            status_ = Error{opening_.complaint()};
-            panel().complaint = opening_.complaint();
-            c_.session.messages().say(opening_.complaint());
-        }
+        // If it failed, the lesson before stays.
+        c_.session.messages().sayIfAny(opening_.complaint());
+        if (auto lesson = opening_.takeAnswer()) take(std::move(*lesson));
     }
     if (!walk().isOpen()) return changed;
     watchFile();
@@ -221,9 +137,9 @@ std::vector<Index> LessonPlayer::possiblePoints() const {
     return points;
 }
 
-void LessonPlayer::take(OpenedLesson lesson) {
-    const bool again = walk().isOpen() && walk().source() == lesson.source;
-    const std::size_t kept = again ? walk().step() : keptStep(lesson);
+void LessonPlayer::take(SharedLesson lesson) {
+    const bool again = walk().isOpen() && walk().source() == lesson->source;
+    const std::size_t kept = again ? walk().step() : keptStep(*lesson);
     if (walk().isOpen()) leaveStep();
     c_.ui.offersTour = false;
     if (!layoutBefore_) layoutBefore_ = c_.ui.layoutPreset;
@@ -329,10 +245,8 @@ void LessonPlayer::enter() {
     const teach::LessonStep& step = walk().shownStep();
     home_ = session.address();
     walk().setPointCount(session.model().points.size());
-    session.giveNames(walk().setting().names);
     session.alerts().choose(std::nullopt);
-    session.select(selectionOfStep(step, walk().setting().names));
-    choices_.pinLayers(step);
+    step_.enter(walk());
     aiming_ = true;
     const bool plays = std::exchange(playsOnArrival_, false);
     if (walk().asks()) {
@@ -341,23 +255,13 @@ void LessonPlayer::enter() {
         return;
     }
     if (walk().state().shown) return show();
-    if (!step.compare.empty()) compare();
+    if (!step.compare.empty()) step_.compare(walk());
     if (step.play || plays) playStep();
 }
 
 void LessonPlayer::leaveStep() {
-    c_.session.setHorizon(std::nullopt);
-    c_.session.giveNames({});
-    c_.session.highlights().mark({});
-    c_.session.highlights().label({});
-    choices_.putBack();
+    step_.leave();
     entering_ = aiming_ = false;
-}
-
-void LessonPlayer::compare() {
-    const Result<RunSpec> other = comparedInput(input_, walk().shownStep().compare);
-    if (!other) return c_.session.messages().say(other.error().message);
-    choices_.compare(CompareWith::otherRun(other.value()));
 }
 
 /// Plays from the cursor to `until`, at the speed of the step.
@@ -367,8 +271,8 @@ void LessonPlayer::playTo(const Address& until) {
                              ? 2.0
                              : static_cast<double>(walk().right().shown.size()) / kSecondsOfAnswer;
     home_ = until;
-    choices_.play(speed ? unitFromName(speed->unit).value_or(PlayUnit::SubStep) : PlayUnit::SubStep,
-                  speed ? speed->perSecond : std::max(2.0, usual), until);
+    step_.play(speed ? unitFromName(speed->unit).value_or(PlayUnit::SubStep) : PlayUnit::SubStep,
+               speed ? speed->perSecond : std::max(2.0, usual), until);
 }
 
 /// Plays from the position of the step to its end.
@@ -388,7 +292,7 @@ void LessonPlayer::show() {
     const Address until = decisions.back().address;
     home_ = until;
     if (walk().shownStep().frame == "all") aiming_ = true;
-    if (!walk().shownStep().compare.empty()) compare();
+    if (!walk().shownStep().compare.empty()) step_.compare(walk());
     if (c_.session.reached(until)) return;
     if (!walk().shownStep().play && decisions.size() > kMaxShown)
         return c_.session.moves().playTo(until);
@@ -413,7 +317,7 @@ void LessonPlayer::aim() {
     const teach::LessonStep& step = walk().shownStep();
     const bool own = fresh_ || step.frame == "all" || !step.camera.empty() ||
                      teach::viewDirection(walk().setting());
-    if (own && aimAtStep(c_, step, walk().setting())) return;
+    if (own && step_.aim(walk())) return;
     moveToDecision(c_, CameraMove::Kind::Requested);
 }
 
@@ -522,16 +426,36 @@ void LessonPlayer::conclude() {
     if (!walk().asks()) show();
 }
 
-void LessonChoices::pinLayers(const teach::LessonStep& step) {
-    LayerModes& modes = c_.ui.settings.layers;
+void ShownStep::enter(const LessonWalk& walk) {
+    const teach::LessonStep& step = walk.shownStep();
+    std::vector<Index> points;
+    for (const std::string& word : step.select)
+        points.push_back(teach::pointOf(word, walk.setting().names));
+    c_.session.giveNames(walk.setting().names);
+    c_.session.select(Selection::of(points));
     for (const Layer& layer : layers()) {
-        if (isAmong(step.pin, layer) || isAmong(step.hide, layer))
-            layers_.emplace_back(layer.id, modeOf(modes, layer.id));
+        LayerMode& mode = modeOf(c_.ui.settings.layers, layer.id);
+        const bool hides = isAmong(step.hide, layer);
+        if (!hides && !isAmong(step.pin, layer)) continue;
+        layers_.emplace_back(layer.id, mode);
+        mode = hides ? LayerMode::PinnedOff : LayerMode::PinnedOn;
     }
-    modes = layersOfStep(modes, step);
 }
 
-void LessonChoices::play(PlayUnit unit, double rate, const Address& until) {
+Status ShownStep::aim(const LessonWalk& walk) {
+    const teach::LessonStep& step = walk.shownStep();
+    if (step.camera.empty()) {
+        frameStep(c_, step.frame == "all", teach::viewDirection(walk.setting()));
+        return success();
+    }
+    const Result<ViewPosition> place = viewPositionFromText(step.camera);
+    if (!place || !place.value().camera)
+        return Error{"expected a position with its address, as Ctrl+C copies it"};
+    c_.camera.setPose(*place.value().camera);
+    return success();
+}
+
+void ShownStep::play(PlayUnit unit, double rate, const Address& until) {
     if (!speed_) speed_ = c_.playback.speed();
     c_.playback.setUnit(unit);
     c_.playback.setRate(rate);
@@ -539,19 +463,36 @@ void LessonChoices::play(PlayUnit unit, double rate, const Address& until) {
     c_.playback.until = until;
 }
 
-void LessonChoices::compare(CompareWith with) {
+void ShownStep::compare(const LessonWalk& walk) {
     compares_ = true;
     c_.ui.compare.inPresent = true;
     if (c_.ui.layoutPreset != LayoutPreset::Present) {
         if (!layout_) layout_ = c_.ui.layoutPreset;
         c_.ui.layoutPreset = LayoutPreset::Compare;
     }
-    c_.compare.begin(std::move(with));
+    // Both could be read: the lesson has no faults.
+    const RunSpec input = inputOfStep(walk.setting(), walk.folder()).value();
+    c_.compare.begin(
+        CompareWith::otherRun(otherRun(input, changeFromWords(walk.shownStep().compare).value())));
 }
 
-void LessonChoices::putBack() {
-    for (const auto& [layer, mode] : std::exchange(layers_, {}))
-        modeOf(c_.ui.settings.layers, layer) = mode;
+void ShownStep::leave() {
+    c_.session.setHorizon(std::nullopt);
+    c_.session.giveNames({});
+    c_.session.highlights().mark({});
+    c_.session.highlights().label({});
+    putBackChoices();
+}
+
+LayerModes ShownStep::layersOfUser() const {
+    LayerModes modes = c_.ui.settings.layers;
+    for (const auto& [layer, mode] : layers_) modeOf(modes, layer) = mode;
+    return modes;
+}
+
+void ShownStep::putBackChoices() {
+    c_.ui.settings.layers = layersOfUser();
+    layers_.clear();
     c_.playback.pause();
     if (speed_) c_.playback.setSpeed(*std::exchange(speed_, std::nullopt));
     if (!std::exchange(compares_, false)) return;

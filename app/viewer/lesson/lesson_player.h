@@ -28,44 +28,27 @@
 
 namespace se::view {
 
-// The steps of a lesson as inputs and looks of the viewer.
-
-/// The lesson of an id or a file; null if `source` names none. Fails with the first fault of it.
-Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source);
-
-/// "name:14: at: ": where a fault of a step is. `key`: of its block; empty: the heading.
-std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key);
-
-/// The input of a step, from 0, with its rules. Fails with a sentence.
-Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step);
-
-/// `layers` with those that the step pins and hides.
-LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step);
-
-/// `layers` of a window that shows the step, without what the step pins and hides there.
-LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step);
-
-/// The points that a step selects; nothing if it selects none.
-Selection selectionOfStep(const teach::LessonStep& step, const std::vector<PointName>& names);
-
-/// Camera of a step: its own, or one that frames the decision or all, from the direction of its
-/// view. Fails if its own is no position.
-Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
-                 const teach::StepSetting& setting);
-
-/// Choices of the user that a step of a lesson changes, and that are put back when it is left:
-/// layers, playback, the layout for a comparison.
-class LessonChoices {
+/// A step of a lesson in the open run, of the window or of an export. What it changes of the user's
+/// choices is put back when it is left: layers, playback, the layout for a comparison.
+class ShownStep {
   public:
-    explicit LessonChoices(CommandContext& context) : c_(context) {}
+    explicit ShownStep(CommandContext& context) : c_(context) {}
 
-    /// Pins and hides the layers of the step.
-    void pinLayers(const teach::LessonStep& step);
+    /// Gives the points their names, selects those of the step, pins and hides its layers. The run
+    /// has to be at its position, and `walk` to stay at the step until leave().
+    void enter(const LessonWalk& walk);
+    /// Camera of the step: its own, or one that frames the decision or all, from the direction of
+    /// its view. Fails if its own is no position.
+    Status aim(const LessonWalk& walk);
     /// Plays from the cursor to an address.
     void play(PlayUnit unit, double rate, const Address& until);
-    /// Shows another run beside this one: in the layout Compare, or within Present.
-    void compare(CompareWith with);
-    void putBack();
+    /// Shows the run of `compare` beside this one: in the layout Compare, or within Present.
+    /// Requires a step that compares.
+    void compare(const LessonWalk& walk);
+    void leave();
+    void putBackChoices();
+    /// The layers as the user has them, without those that the step pins and hides.
+    LayerModes layersOfUser() const;
 
   private:
     CommandContext& c_;
@@ -75,9 +58,11 @@ class LessonChoices {
     std::optional<LayoutPreset> layout_;  ///< Before the layout Compare.
 };
 
+inline constexpr const char* kNoLesson = "No lesson is open: Help > Tour opens the first one.";
+
 class LessonPlayer {
   public:
-    explicit LessonPlayer(CommandContext& context) : c_(context), choices_(context) {}
+    explicit LessonPlayer(CommandContext& context) : c_(context), step_(context) {}
 
     /// Opens the lesson of the command line, if there is one.
     void begin(const Options& options);
@@ -112,7 +97,8 @@ class LessonPlayer {
     void saveLesson(const std::string& file);
 
     /// Puts the user's choices back that the step has changed.
-    void putBackChoices() { choices_.putBack(); }
+    void putBackChoices() { step_.putBackChoices(); }
+    LayerModes layersOfUser() const { return step_.layersOfUser(); }
     /// True once per step, when its camera can be placed.
     bool takeAim();
     /// Places the camera of the step.
@@ -121,15 +107,15 @@ class LessonPlayer {
     bool moving() const { return opening_.busy() || entering_; }
     /// Blocks until the lesson is open, or failed.
     void waitUntilDone();
-    /// Error if the lesson of the command line cannot be opened.
-    const Status& status() const { return status_; }
+    /// The opening of a lesson, and why the last one failed.
+    const BackgroundQuery<SharedLesson>& opening() const { return opening_; }
 
   private:
     using Clock = std::chrono::steady_clock;
 
     LessonPanel& panel() { return c_.ui.lesson; }
     LessonWalk& walk() { return c_.ui.lesson.walk; }
-    void take(OpenedLesson lesson);
+    void take(SharedLesson lesson);
     std::vector<Index> possiblePoints() const;
     std::size_t keptStep(const OpenedLesson& lesson) const;
     void keepStep();
@@ -138,7 +124,6 @@ class LessonPlayer {
     void arrive();
     void enter();
     void leaveStep();
-    void compare();
     void playTo(const Address& until);
     void playStep();
     void show();
@@ -152,14 +137,14 @@ class LessonPlayer {
     bool isAway() const;
 
     CommandContext& c_;
-    BackgroundQuery<OpenedLesson> opening_;
+    BackgroundQuery<SharedLesson> opening_;
     std::optional<std::size_t> toStep_;  ///< Of the lesson that is being opened.
     bool entering_ = false;              ///< The run is on its way to the step.
     bool aiming_ = false;                ///< The camera is not placed yet.
     bool fresh_ = false;                 ///< The step has opened another input.
     std::optional<Address> home_;        ///< Position of the step, or of its answer.
     RunSpec input_;                      ///< Input of the step.
-    LessonChoices choices_;
+    ShownStep step_;
     bool playsOnArrival_ = false;               ///< The step is played once the run is there.
     bool retried_ = false;                      ///< The move to the step was made again.
     std::optional<LayoutPreset> layoutBefore_;  ///< The user's, while a lesson is open.
@@ -168,7 +153,6 @@ class LessonPlayer {
     std::filesystem::path resultFile_;          ///< Of --result; empty: none.
     FileWatch watch_;                           ///< Of the lesson's file.
     Clock::time_point polled_ = Clock::now();
-    Status status_ = success();
 };
 
 // Commands of the open lesson, and the commands that are off while its question is open.

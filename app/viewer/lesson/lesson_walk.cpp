@@ -49,10 +49,10 @@ bool isVerdict(teach::MoveKind kind) {
 
 }  // namespace
 
-void LessonWalk::open(OpenedLesson lesson, std::size_t step) {
+void LessonWalk::open(SharedLesson lesson, std::size_t step) {
     const bool same =
-        isOpen() && lesson.source == source() && lesson.lesson.hash == this->lesson().hash;
-    opened_ = std::make_shared<const OpenedLesson>(std::move(lesson));
+        isOpen() && lesson->source == source() && lesson->lesson.hash == this->lesson().hash;
+    opened_ = std::move(lesson);
     if (!same) {
         states_.assign(this->lesson().steps.size(), {});
         result_ = {this->lesson().title, this->lesson().hash, {}, {}};

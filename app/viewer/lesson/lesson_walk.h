@@ -32,10 +32,11 @@ struct QuestionState {
 class LessonWalk {
   public:
     /// Opens a lesson at a step, from 0, or at its last one. The answers to the same text stay.
-    void open(OpenedLesson lesson, std::size_t step);
+    void open(SharedLesson lesson, std::size_t step);
     bool isOpen() const { return opened_ != nullptr; }
 
     // Everything below requires isOpen().
+    const SharedLesson& opened() const { return opened_; }
     const std::string& source() const { return opened_->source; }
     const std::filesystem::path& folder() const { return opened_->folder; }
     const teach::Lesson& lesson() const { return opened_->lesson; }
@@ -97,7 +98,7 @@ class LessonWalk {
     void addMove(Index point);
     void typeMoves(std::vector<teach::PlayMove> moves);
 
-    std::shared_ptr<const OpenedLesson> opened_;
+    SharedLesson opened_;
     std::size_t step_ = 0;
     teach::StepSetting setting_;
     std::vector<QuestionState> states_;  ///< By step.
@@ -115,11 +116,8 @@ struct LessonPanel {
 
     std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.
 
-    // Set by LessonPlayer.
-    bool opening = false;   ///< A lesson is being read and run.
-    double share = 0.0;     ///< Of that, in [0, 1].
-    std::string complaint;  ///< Why a lesson could not be opened; empty: no problem.
-    bool away = false;      ///< The run is at another position, or has other settings.
+    /// Set by LessonPlayer: the run is at another position, or has other settings.
+    bool away = false;
 
     /// Hands of a room are counted for the open question: clicks mark nothing.
     bool countsRoom() const {

@@ -163,7 +163,7 @@ bool ExportForm::hasSpeed() const { return chosen().animated(); }
 
 /// Adds the range or the steps to an order.
 Status ExportForm::addFrames(ExportOrder& order, const std::string& address,
-                             const std::shared_ptr<const LessonFile>& lesson) const {
+                             const SharedLesson& lesson) const {
     if (frames == ExportFrames::Pivot) {
         Result<FrameRange> range = rangeAround(address);
         if (!range) return Error{"There is no pivot at the start of the run."};
@@ -184,7 +184,7 @@ Status ExportForm::addFrames(ExportOrder& order, const std::string& address,
 }
 
 Result<ExportOrder> ExportForm::order(const std::string& address,
-                                      const std::shared_ptr<const LessonFile>& lesson) const {
+                                      const SharedLesson& lesson) const {
     ExportOrder order;
     order.path = path;
     order.captions = captions || !hasCaptions();

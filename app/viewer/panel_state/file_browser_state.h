@@ -169,11 +169,11 @@ struct ExportForm : ChosenFormat<exportFormats, exportFormatOf> {
     /// The order of these choices, for `path`; `address`: of the cursor; `lesson`: the open one, or
     /// null. Fails with a sentence.
     Result<ExportOrder> order(const std::string& address,
-                              const std::shared_ptr<const LessonFile>& lesson = nullptr) const;
+                              const SharedLesson& lesson = nullptr) const;
 
   private:
     Status addFrames(ExportOrder& order, const std::string& address,
-                     const std::shared_ptr<const LessonFile>& lesson) const;
+                     const SharedLesson& lesson) const;
 };
 
 }  // namespace se::view

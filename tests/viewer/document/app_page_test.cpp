@@ -114,7 +114,7 @@ TEST_CASE("A page has the file of a lesson, and those that the lesson takes its 
     CHECK(page.find("<title>A &amp; B</title>") != std::string::npos);
     CHECK(between(page, "data-file=\"data/a.xyz\">", "</script>") == base64Of(deflated(kPoints)));
     write(folder / "wrong.lesson.md", lessonOf("missing.xyz", "scene:torus"));
-    CHECK_FALSE(contentOf(exporting((folder / "wrong.lesson.md").string())).ok());
+    CHECK_FALSE(lessonOfSource((folder / "wrong.lesson.md").string()).ok());
 }
 
 TEST_CASE("A page has the files of a run under their names alone") {

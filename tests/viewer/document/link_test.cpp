@@ -258,14 +258,14 @@ TEST_CASE("A packed lesson opens, unless it reads files") {
         return openLesson(packedSource({"x.lesson.md", std::move(text)}),
                           [](double) { return true; });
     };
-    const Result<OpenedLesson> opened = open(std::string(tour.text));
+    const Result<SharedLesson> opened = open(std::string(tour.text));
     REQUIRE(opened.ok());
-    CHECK(opened.value().lesson.steps.size() > 3);
+    CHECK(opened.value()->lesson.steps.size() > 3);
     std::string text(tour.text);
     const std::size_t at = text.find("scene:");
     REQUIRE(at != std::string::npos);
     text.replace(at, text.find('"', at) - at, "points.ply");
-    const Result<OpenedLesson> refused = open(text);
+    const Result<SharedLesson> refused = open(text);
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.error().message ==
           "x.lesson.md: a lesson inside a link has scenes alone, not \"points.ply\".");

@@ -230,7 +230,8 @@ TEST_CASE("A faulty lesson is refused with file and line, and the one before sta
     std::ofstream(path) << "# Bad\n```se lesson\nversion = 1\ninput = \"scene:torus\"\n```\n"
                            "## Step\n```se step\nat = \"1.sphere.99\"\n```\n";
     app.open(path.string());
-    CHECK(app.ui.lesson.complaint.find("bad.lesson.md:8: at: pivot 1 has") != std::string::npos);
+    CHECK(app.lesson.opening().complaint().find("bad.lesson.md:8: at: pivot 1 has") !=
+          std::string::npos);
     CHECK(app.walk().source() == "lesson:tour");
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 /// The lesson The spiral at a step, from 0: 1 asks for points, 3 for a point, 5 for a number.
 LessonWalk spiralAt(std::size_t step) {
-    const Result<OpenedLesson> opened = openLesson("lesson:spiral", [](double) { return true; });
+    const Result<SharedLesson> opened = openLesson("lesson:spiral", [](double) { return true; });
     REQUIRE(opened.ok());
     LessonWalk walk;
     walk.open(opened.value(), step);
@@ -117,7 +117,7 @@ TEST_CASE("Answers stay when other steps are shown, in the order of the steps") 
 
 TEST_CASE("A lesson that is not there, or is faulty, is refused with its name") {
     const auto go = [](double) { return true; };
-    const Result<OpenedLesson> unknown = openLesson("lesson:nothing", go);
+    const Result<SharedLesson> unknown = openLesson("lesson:nothing", go);
     REQUIRE_FALSE(unknown.ok());
     CHECK(unknown.error().message.find("lesson:nothing") != std::string::npos);
     CHECK_FALSE(openLesson("/no/such.lesson.md", go).ok());
@@ -127,7 +127,7 @@ TEST_CASE("A lesson that is not there, or is faulty, is refused with its name") 
 namespace {
 
 LessonWalk practiceOf(std::uint64_t seed) {
-    const Result<OpenedLesson> opened = openLesson(
+    const Result<SharedLesson> opened = openLesson(
         std::string(teach::kPracticePrefix) + std::to_string(seed), [](double) { return true; });
     REQUIRE(opened.ok());
     LessonWalk walk;

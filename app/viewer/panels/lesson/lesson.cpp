@@ -184,12 +184,17 @@ std::string minutesText(double minutes) {
     return sixDigits(std::round(2.0 * minutes) / 2.0) + " minutes";
 }
 
+/// Why a lesson could not be opened.
+void drawComplaint(const PanelContext& context) {
+    const std::string& complaint = context.commands.lesson.opening().complaint();
+    if (!complaint.empty()) wrappedText("! " + complaint, context.palette.rejected);
+}
+
 /// The lessons of the program.
 void drawLessons(const PanelContext& context) {
-    const LessonPanel& panel = context.state<LessonPanel>();
     wrappedText("A lesson walks through a run step by step, and asks before it shows.");
     ImGui::Spacing();
-    if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
+    drawComplaint(context);
     for (const LessonEntry& each : lessonEntries()) {
         if (selectable(context, each.title, false, "open " + each.source, each.text))
             context.document().open(each.source);
@@ -571,13 +576,14 @@ void drawQuestion(const PanelContext& context) {
 }  // namespace
 
 void drawLesson(const PanelContext& context) {
-    const LessonPanel& panel = context.state<LessonPanel>();
-    if (panel.opening) {
-        ImGui::ProgressBar(static_cast<float>(panel.share), {-1.0F, 0.0F}, "Opening the lesson");
+    const auto& opening = context.commands.lesson.opening();
+    if (opening.busy()) {
+        ImGui::ProgressBar(static_cast<float>(opening.share()), {-1.0F, 0.0F},
+                           "Opening the lesson");
     }
-    const LessonWalk& walk = panel.walk;
+    const LessonWalk& walk = context.state<LessonPanel>().walk;
     if (!walk.isOpen()) return drawLessons(context);
-    if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
+    drawComplaint(context);
     drawHead(context, walk);
     const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
     ImGui::PushID(static_cast<int>(walk.step()));
