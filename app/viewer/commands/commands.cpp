@@ -60,17 +60,18 @@ const auto kCommands = std::to_array<Command>({
      "Save input, options, position, camera, layers and notes as a session file.",
      [](C& c) { c.document.save(); }, "store keep write project"},
     {"file.saveas", "File", "Save session as...", "Ctrl+Shift+S",
-     "Save the session under another name.", saveAs, "store keep write project"},
+     "Save the session under another name.",
+     [](C& c) { openBrowser(c, BrowserTask::SaveSession); }, "store keep write project"},
     {"file.savemesh", "File", "Save mesh...", "Ctrl+E", kSaveMeshHelp, saveMesh, kSaveMeshSynonyms},
     {"file.copycommand", "File", "Copy command", "",
      "Copy the command line that makes this mesh: spiraling-edge run with all options.",
      copyCommand, "clipboard shell terminal script export"},
     {"file.savelesson", "File", "Save as lesson...", "",
-     "Save the bookmarks, with their notes and cameras, as the steps of a lesson.", saveLesson,
-     "write teach export course"},
+     "Save the bookmarks, with their notes and cameras, as the steps of a lesson.",
+     [](C& c) { openBrowser(c, BrowserTask::SaveLesson); }, "write teach export course"},
     {"file.saveresult", "File", "Save result...", "",
-     "Save the answers to the questions of the open lesson.", saveResult,
-     "lesson answers grade student class"},
+     "Save the answers to the questions of the open lesson.",
+     [](C& c) { openBrowser(c, BrowserTask::SaveResult); }, "lesson answers grade student class"},
     {"file.export", "File", "Export...", "Ctrl+Shift+E",
      "Write frames as a picture, a page or an animation.", exportFrames,
      "picture svg gif mp4 video html page png frames write"},
@@ -134,9 +135,9 @@ const auto kCommands = std::to_array<Command>({
      "Compare with a mesh, or a trace, that another program made from the same points.",
      compareMesh, "difference side reference"},
     {"run.compare.swap", "Run", "Swap the compared runs", "", "Show the other run in all panels.",
-     [](C& c) { ofComparison(c, &ComparedRuns::swap); }},
+     [](C& c) { pause(c), c.compare.swap(); }},
     {"run.compare.stop", "Run", "End comparison", "", "Close the other run, mesh or trace.",
-     [](C& c) { ofComparison(c, &ComparedRuns::stop); }},
+     [](C& c) { pause(c), c.compare.stop(); }},
     {"run.end", "Run", "Run to the end", "End", "Run to the end in the background.",
      [](C& c) { pause(c), c.session.moves().toEnd(); }, "finish complete whole mesh result"},
     {"run.start", "Run", "Back to the start", "Home",
@@ -176,9 +177,10 @@ const auto kCommands = std::to_array<Command>({
      "Show the step of the lesson before.", [](C& c) { c.lesson.previous(); },
      "teach course slide back", kRepeats},
     {"lesson.return", "Step", "Back to the step of the lesson", "",
-     "Return to position, rules and view of the step.", returnToLessonStep, "teach course"},
+     "Return to position, rules and view of the step.",
+     [](C& c) { c.lesson.returnToStep(); }, "teach course"},
     {"lesson.close", "Step", "Close the lesson", "", "Close the lesson; the run stays open.",
-     closeLesson, "teach course end leave"},
+     [](C& c) { c.lesson.close(); }, "teach course end leave"},
     {"step.back", "Step", "Back", "Alt+Left", "Go back to where the last jump began.",
      [](C& c) { pause(c), c.session.moves().goBack(); }, "", kRepeats},
     {"step.forward", "Step", "Forward", "Alt+Right", "Undo going back.",
@@ -191,13 +193,13 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.look.toggle(LookBack::Mode::Blink, c.ui.clock); }},
     {"step.difference", "Step", "First difference", "D",
      "Go to the first decision in which the compared runs differ.",
-     [](C& c) { ofComparison(c, &ComparedRuns::toFirstDifference); }},
+     [](C& c) { pause(c), c.compare.toFirstDifference(); }},
     {"step.region.next", "Step", "Next region of difference", "Shift+D",
      "Show the next region where the compared meshes differ, largest first.",
-     [](C& c) { ofComparison(c, &ComparedRuns::toNextRegion); }, "", kRepeats},
+     [](C& c) { pause(c), c.compare.toNextRegion(); }, "", kRepeats},
     {"step.region.previous", "Step", "Previous region of difference", "Ctrl+Shift+D",
      "Show the previous region of difference.",
-     [](C& c) { ofComparison(c, &ComparedRuns::toPreviousRegion); }, "", kRepeats},
+     [](C& c) { pause(c), c.compare.toPreviousRegion(); }, "", kRepeats},
     {"step.birth", "Step", "Where the selection was made", "",
      "Go to the pivot that made the selected edge or triangle.", goToBirth},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",
@@ -433,7 +435,8 @@ const auto kCommands = std::to_array<Command>({
 struct Need {
     std::string_view id;
     bool (*holds)(const CommandContext& context);
-    std::string_view reason;  ///< Why they cannot act without it.
+    std::string_view reason;       ///< Why they cannot act without it.
+    std::string_view except = {};  ///< The command that needs nothing; empty: none.
 };
 
 bool isOpen(const CommandContext& c) { return c.session.ready(); }
@@ -441,6 +444,13 @@ bool isBeforeEnd(const CommandContext& c) { return !c.session.atEnd(); }
 bool isAfterStart(const CommandContext& c) { return !c.session.atStart(); }
 bool hasWhatIfs(const CommandContext& c) { return !c.session.input().spec().whatIf.empty(); }
 bool hasChangedRules(const CommandContext& c) { return !c.session.input().spec().choices.empty(); }
+bool hasLesson(const CommandContext& c) { return c.ui.lesson.walk.isOpen(); }
+bool hasAnswers(const CommandContext& c) { return c.ui.lesson.walk.hasAnswers(); }
+bool hasBookmarks(const CommandContext& c) { return !c.ui.bookmarks.empty(); }
+bool hasSelectedEdge(const CommandContext& c) {
+    return c.session.selection().corners().size() >= 2;
+}
+bool presents(const CommandContext& c) { return c.ui.layoutPreset == LayoutPreset::Present; }
 bool canUndo(const CommandContext& c) { return c.history.undoDepth() > 0; }
 bool canRedo(const CommandContext& c) { return c.history.redoDepth() > 0; }
 bool isChecked(const CommandContext& c) { return c.session.alerts().done(); }
@@ -453,28 +463,31 @@ bool compares(const CommandContext& c) {
 
 constexpr std::string_view kNothing = "Nothing is open.";
 constexpr std::string_view kFinished = "The run is finished.";
+constexpr std::string_view kNotCompared = "No comparison: press Ctrl+D, then choose the other run.";
+constexpr std::string_view kBlanksInPresent = "The screen is blanked in the layout Present (F2).";
 
-/// The first one that does not hold is the reason.
+/// Of commands that are refused without them.
 constexpr auto kCommandNeeds = std::to_array<Need>({
     {"edit.", isOpen, kNothing},
     {"run.", isOpen, kNothing},
-    {"step.", isOpen, kNothing},
+    {"step.", isOpen, kNothing, "step.paste"},
     {"ask.", isOpen, kNothing},
     {"notes.", isOpen, kNothing},
+    {"file.savemesh", isOpen, "There is no run to save the mesh of."},
     {"file.save", isOpen, kNothing},
-    {"file.export", isOpen, kNothing},
+    {"file.savelesson", hasBookmarks,
+     "Set bookmarks first (Ctrl+B): each becomes a step of the lesson."},
+    {"file.saveresult", hasLesson, kNoLesson},
+    {"file.saveresult", hasAnswers, "No question of this lesson has been answered yet."},
+    {"file.export", isOpen, "There is nothing open to export."},
+    {"file.prepare", isOpen, kNothing},
     {"file.copycommand", isOpen, kNothing},
     {"file.restart", isOpen, kNothing},
     {"file.quit", hasWindow, "Close the page instead."},
     {"view.frame", isOpen, kNothing},
     {"view.follow", isOpen, kNothing},
-    {"run.play", isBeforeEnd, kFinished},
-    {"run.end", isBeforeEnd, kFinished},
-    {"step.event.next", isBeforeEnd, kFinished},
-    {"step.pivot.next", isBeforeEnd, kFinished},
-    {"run.start", isAfterStart, "This is the start of the run."},
     {"step.alert.", isChecked, "The mesh is not checked yet."},
-    {"step.alert.", hasPlaces, "The mesh has no faults."},
+    {"step.alert.", hasPlaces, "There is no place with faults."},
     {"step.copyfailure", showsAlert, kNoAlertShown},
     {"edit.undo", canUndo, "There is nothing to undo."},
     {"edit.redo", canRedo, "There is nothing to redo."},
@@ -482,7 +495,32 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"edit.whatif.clear", hasWhatIfs, kNoWhatIfs},
     {"run.compare.stop", compares, "Nothing is compared."},
     {"run.compare.swap", compares, "Nothing is compared."},
+    {"step.difference", compares, kNotCompared},
+    {"step.region.", compares, kNotCompared},
+    {"step.birth", hasSelectedEdge, "Select an edge or a triangle first."},
+    {"lesson.", hasLesson, kNoLesson},
+    {"view.black", presents, kBlanksInPresent},
+    {"view.white", presents, kBlanksInPresent},
+    {"view.spotlight", presents, "The spotlight belongs to the layout Present (F2)."},
 });
+
+/// Of commands that are gray, since they would lead nowhere, but are carried out.
+constexpr auto kMoveNeeds = std::to_array<Need>({
+    {"run.play", isBeforeEnd, kFinished},
+    {"run.end", isBeforeEnd, kFinished},
+    {"step.event.next", isBeforeEnd, kFinished},
+    {"step.pivot.next", isBeforeEnd, kFinished},
+    {"run.start", isAfterStart, "This is the start of the run."},
+});
+
+/// The reason of the first need that does not hold; empty if all do.
+std::string_view reasonAmong(std::span<const Need> needs, const Command& command,
+                             const CommandContext& context) {
+    const Need* missing = rowWhere(needs, [&](const Need& need) {
+        return command.id.starts_with(need.id) && command.id != need.except && !need.holds(context);
+    });
+    return missing != nullptr ? missing->reason : std::string_view{};
+}
 
 }  // namespace
 
@@ -507,10 +545,8 @@ std::string listActions() {
 }
 
 std::string_view whyUnavailable(const Command& command, const CommandContext& context) {
-    const auto missing = std::find_if(
-        kCommandNeeds.begin(), kCommandNeeds.end(),
-        [&](const Need& need) { return command.id.starts_with(need.id) && !need.holds(context); });
-    return missing == kCommandNeeds.end() ? std::string_view{} : missing->reason;
+    const std::string_view reason = reasonAmong(kCommandNeeds, command, context);
+    return reason.empty() ? reasonAmong(kMoveNeeds, command, context) : reason;
 }
 
 // Commands of the growing points: the groups about the run, which does not exist yet, are replaced.
@@ -554,8 +590,8 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
         (context.sampling.*found->act)();
         return true;
     }
-    if (command.id == "file.save" || command.id == "file.saveas") {
-        findCommand("file.savepoints")->run(context);
+    if (command.id.starts_with("file.save") && command.id != "file.savemesh") {
+        savePoints(context);
         return true;
     }
     if (command.id == "file.savemesh" || command.id == "file.copycommand" ||
@@ -609,6 +645,8 @@ void runCommand(const Command& command, CommandContext& context) {
     if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
     if (context.ui.lesson.hides() && !isAllowedDuringQuestion(command))
         return context.session.messages().say("Answer the question first, or show its answer.");
+    if (const auto reason = reasonAmong(kCommandNeeds, command, context); !reason.empty())
+        return context.session.messages().say(std::string(reason));
     command.run(context);
 }
 

@@ -101,7 +101,6 @@ void followUpAxis(C& c) {
 }
 
 void toggleBookmarkHere(C& c) {
-    if (!c.session.ready()) return;
     if (c.session.event() == nullptr)
         return c.session.messages().say("The start of the run cannot be bookmarked.");
     const Address here = c.session.address();
@@ -111,17 +110,13 @@ void toggleBookmarkHere(C& c) {
 }
 
 void resetRules(C& c) {
-    if (!c.session.ready()) return;
     RunSpec rules = c.session.input().rules();
-    if (rules.choices.empty()) return c.session.messages().say(kNoChangedRules);
     rules.choices.clear();
     c.document.rerun(rules);
 }
 
 void clearWhatIfs(C& c) {
-    if (!c.session.ready()) return;
     RunSpec rules = c.session.input().rules();
-    if (rules.whatIf.empty()) return c.session.messages().say(kNoWhatIfs);
     rules.whatIf.clear();
     c.document.rerun(rules);
 }
@@ -137,30 +132,19 @@ void openFor(C& c, BrowserTask task, const std::string& source) {
     c.document.open(source);
 }
 
-void saveAs(C& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
-    openBrowser(c, BrowserTask::SaveSession);
-}
-
 void saveMesh(C& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is no run to save the mesh of.");
     pause(c);
     c.ui.mesh.open();
     openBrowser(c, BrowserTask::SaveMesh);
 }
 
 void exportFrames(C& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to export.");
     pause(c);
     c.ui.exported.open();
     openBrowser(c, BrowserTask::Export);
 }
 
-void copyCommand(C& c) {
-    if (!c.session.ready())
-        return c.session.messages().say("There is no run to copy the command of.");
-    c.mesh.copyCommand({});
-}
+void copyCommand(C& c) { c.mesh.copyCommand({}); }
 
 void savePoints(C& c) {
     const bool made = c.session.ready() && c.session.input().spec().points != nullptr;
@@ -171,7 +155,6 @@ void savePoints(C& c) {
 }
 
 void openPrepare(C& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to prepare.");
     pause(c);
     closeDialogs(c.ui);
     c.ui.prepare.take(c.session.input().spec(), c.session.model());
@@ -182,7 +165,6 @@ void openPrepare(C& c) {
 
 void toMark(C& c, int direction) {
     pause(c);
-    if (!c.session.ready()) return;
     const std::optional<Address> mark = c.session.nextMark(direction);
     const Bookmark* own = nextBookmark(c.ui.bookmarks, c.session.address(), direction);
     // A mark of the run has no number within its stage: it is at the first event.
@@ -215,7 +197,6 @@ void stepByUnit(C& c, int direction) {
 }
 
 void setLoop(C& c, const char* end, void (PlayLoop::*set)(const Address& address)) {
-    if (!c.session.ready()) return;
     (c.playback.loop.*set)(c.session.address());
     c.session.messages().say("Loop " + std::string(end) + ": " + toString(c.session.address()) +
                              ".");
@@ -250,17 +231,11 @@ void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
 }
 
 void blankScreen(C& c, BlankScreen with) {
-    if (c.ui.layoutPreset != LayoutPreset::Present)
-        return c.session.messages().say("The screen is blanked in the layout Present (F2).");
     c.playback.pause();
     c.ui.blank = with;
 }
 
-void toggleSpotlight(C& c) {
-    if (c.ui.layoutPreset != LayoutPreset::Present)
-        return c.session.messages().say("The spotlight belongs to the layout Present (F2).");
-    c.ui.spotlight = !c.ui.spotlight;
-}
+void toggleSpotlight(C& c) { c.ui.spotlight = !c.ui.spotlight; }
 
 void showPart(C& c, std::string_view title) {
     const PartRow* part = partNamed(title);
@@ -303,10 +278,6 @@ void foldColumn(C& c) {
 }
 
 void goToBirth(C& c) {
-    if (!c.session.ready()) return;
-    if (c.session.selection().corners().size() < 2) {
-        return c.session.messages().say("Select an edge or a triangle first.");
-    }
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
     const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
     if (!origin) return c.session.messages().say("The decision that made this is not known yet.");
@@ -327,7 +298,6 @@ void scaleBy(C& c, int direction) {
 }
 
 void toBookmark(C& c, std::size_t place) {
-    if (!c.session.ready()) return;
     if (place >= c.ui.bookmarks.size()) {
         return c.session.messages().say("There is no bookmark " + std::to_string(place + 1) + ".");
     }
@@ -346,23 +316,13 @@ void enterCompare(C& c) {
 }
 
 void compareUsual(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
     enterCompare(c);
     c.compare.beginUsual();
 }
 
 void compareMesh(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
     enterCompare(c);
     openBrowser(c, BrowserTask::Mesh);
-}
-
-void ofComparison(CommandContext& c, void (ComparedRuns::*act)()) {
-    const Comparison* now = c.ui.compare.now;
-    if (now == nullptr || !now->chosen())
-        return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
-    pause(c);
-    (c.compare.*act)();
 }
 
 void walkPanels(CommandContext& c, int direction) {

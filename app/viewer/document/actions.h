@@ -45,7 +45,6 @@ void toggleBookmarkHere(CommandContext& c);
 void toBookmark(CommandContext& c, std::size_t place);
 /// Opens what was chosen in the dialog for a task: an input, a mesh to compare with, or a volume.
 void openFor(CommandContext& c, BrowserTask task, const std::string& source);
-void saveAs(CommandContext& c);
 /// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);
 /// Opens the dialog for the export of frames.
@@ -102,8 +101,6 @@ void compareUsual(CommandContext& c);
 void compareMesh(CommandContext& c);
 /// Pauses, in the layout Compare.
 void enterCompare(CommandContext& c);
-/// Acts on the comparison; reports if there is none.
-void ofComparison(CommandContext& c, void (ComparedRuns::*act)());
 
 /// Gives the keyboard focus to the next (+1) or previous (-1) panel.
 void walkPanels(CommandContext& c, int direction);

@@ -112,7 +112,6 @@ void askQuery(CommandContext& c, const std::string& line) {
 namespace actions {
 
 void askWhySelected(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to ask about.");
     const Selection& selected = c.session.selection();
     const bool compares = c.ui.layoutPreset == LayoutPreset::Compare;
     // What is selected with a fault stands for it.
@@ -129,7 +128,6 @@ void askWhySelected(CommandContext& c) {
 }
 
 void toLedgerLine(CommandContext& c, int direction) {
-    if (!c.session.ready()) return;
     const Ledger* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     const auto line = positionAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
@@ -143,7 +141,6 @@ void toLedgerLine(CommandContext& c, int direction) {
 }
 
 void toCause(CommandContext& c) {
-    if (!c.session.ready()) return;
     const Ledger* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     pause(c);
@@ -162,7 +159,6 @@ void openClosest(CommandContext& c) {
 }
 
 void toHit(CommandContext& c, int direction) {
-    if (!c.session.ready()) return;
     const FoundDecisions* found = c.session.questions().found().answer();
     if (found == nullptr) return openQuery(c);
     const LinePosition place = positionAmong(found->lines, c.session);
@@ -324,13 +320,11 @@ namespace actions {
 
 void continueBy(CommandContext& c, int direction) {
     c.playback.pause();
-    if (!c.session.ready()) return;
     c.session.hits().want(c.ui.breakpoints);
     c.session.moves().continueRun(direction);
 }
 
 void toggleBreakpointHere(CommandContext& c) {
-    if (!c.session.ready()) return;
     const auto line = lineHere(breakSubject(c));
     if (!line)
         return c.session.messages().say(

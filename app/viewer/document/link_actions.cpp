@@ -167,14 +167,12 @@ Status followLink(CommandContext& context, std::string_view text) {
 namespace actions {
 
 void copyLink(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to link to.");
     const PresentLink link = presentLink(c);
     c.ui.clipboard.copy(link.text);
     c.session.messages().say("Link copied." + (link.notice.empty() ? "" : " " + link.notice));
 }
 
 void copyFrame(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to show.");
     const PresentLink link = presentLink(c);
     c.ui.clipboard.copy("<iframe src=\"" + escapedXml(link.text) +
                         "\" title=\"Spiraling Edge\" width=\"900\" height=\"600\" "

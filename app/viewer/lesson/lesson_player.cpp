@@ -329,7 +329,8 @@ void LessonPlayer::follow(const std::string& address) {
 }
 
 void LessonPlayer::saveResult(const std::string& file) {
-    if (requireLesson()) saveText(c_.session, file, resultJson(walk().result()));
+    if (!walk().isOpen()) return c_.session.messages().say(kNoLesson);
+    saveText(c_.session, file, resultJson(walk().result()));
 }
 
 void LessonPlayer::save() {
@@ -368,12 +369,6 @@ void LessonPlayer::closeForOther() {
     if (walk().isOpen() || opening_.busy()) leave();
 }
 
-bool LessonPlayer::requireLesson() {
-    if (walk().isOpen()) return true;
-    c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
-    return false;
-}
-
 /// Makes the call between two frames, unless the lesson is closed by then.
 void LessonPlayer::whileOpen(const std::function<void()>& call) {
     c_.ui.betweenFrames([this, call] {
@@ -388,14 +383,14 @@ void LessonPlayer::toStep(std::size_t step) {
 }
 
 void LessonPlayer::next() {
-    if (!requireLesson()) return;
+    if (!walk().isOpen()) return;
     if (c_.ui.layoutPreset == LayoutPreset::Present && walk().asks()) return showAnswer();
     if (walk().step() + 1 < walk().lesson().steps.size()) return toStep(walk().step() + 1);
     c_.session.messages().say("This is the last step of the lesson.");
 }
 
 void LessonPlayer::previous() {
-    if (!requireLesson()) return;
+    if (!walk().isOpen()) return;
     if (walk().step() > 0) return toStep(walk().step() - 1);
     c_.session.messages().say("This is the first step of the lesson.");
 }
@@ -561,29 +556,6 @@ void openTour(CommandContext& c) { c.document.open(embeddedLessonSource("tour"))
 
 void openPractice(CommandContext& c) {
     c.document.open(std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice));
-}
-
-void returnToLessonStep(CommandContext& c) {
-    if (c.lesson.requireLesson()) c.lesson.returnToStep();
-}
-
-void closeLesson(CommandContext& c) {
-    if (c.lesson.requireLesson()) c.lesson.close();
-}
-
-void saveResult(CommandContext& c) {
-    if (!c.lesson.requireLesson()) return;
-    if (!c.ui.lesson.walk.hasAnswers())
-        return c.session.messages().say("No question of this lesson has been answered yet.");
-    openBrowser(c, BrowserTask::SaveResult);
-}
-
-void saveLesson(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
-    if (c.ui.bookmarks.empty())
-        return c.session.messages().say(
-            "Set bookmarks first (Ctrl+B): each becomes a step of the lesson.");
-    openBrowser(c, BrowserTask::SaveLesson);
 }
 
 }  // namespace actions

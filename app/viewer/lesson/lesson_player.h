@@ -71,8 +71,6 @@ class LessonPlayer {
     bool poll();
 
     void open(const std::string& source, std::optional<std::size_t> step = std::nullopt);
-    /// True if a lesson is open; otherwise a message says how to open one.
-    bool requireLesson();
     /// To the next step; in Present an open question is answered first.
     void next();
     void previous();
@@ -171,13 +169,6 @@ namespace actions {
 void openTour(CommandContext& c);
 /// Opens the next pivot to play: that after the open one, or after the last one.
 void openPractice(CommandContext& c);
-/// To the position of the step, with its settings.
-void returnToLessonStep(CommandContext& c);
-void closeLesson(CommandContext& c);
-/// Opens the file dialog for the answers given so far.
-void saveResult(CommandContext& c);
-/// Opens the file dialog for the bookmarks, as the steps of a lesson.
-void saveLesson(CommandContext& c);
 
 }  // namespace actions
 

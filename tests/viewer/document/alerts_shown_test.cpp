@@ -1,3 +1,4 @@
+#include "commands/commands.h"
 #include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
@@ -174,8 +175,8 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     OpenSession open("scene:sphere", "robust");
     CommandContext sound = app.context.of(open.session);
     REQUIRE(open.session.alerts().done());
-    nextPlace(sound, 1);
-    CHECK(open.session.messages().last() == "No faults found.");
+    runCommand(*findCommand("step.alert.next"), sound);
+    CHECK(open.session.messages().last() == "There is no place with faults.");
 }
 
 TEST_CASE("A place is looked at straight, with all of its faults on half of the view") {

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "commands/commands.h"
 #include "document/actions.h"
 #include "headless_app.h"
 #include "run/strings.h"
@@ -174,10 +175,10 @@ TEST_CASE("A line about the last attempt goes with the next one") {
 TEST_CASE(
     "Without an input, or without a triangle, a sentence says that there is nothing to save") {
     test::HeadlessApp empty("saving-empty-test");
-    actions::saveMesh(empty.context);
+    runCommand(*findCommand("file.savemesh"), empty.context);
     CHECK_FALSE(empty.ui.fileBrowser);
     CHECK(empty.session.messages().last().find("no run") != std::string::npos);
-    actions::copyCommand(empty.context);
+    runCommand(*findCommand("file.copycommand"), empty.context);
     CHECK(empty.ui.clipboard.copied().empty());
 
     const fs::path two = test::ownPlace("two-points.xyz");

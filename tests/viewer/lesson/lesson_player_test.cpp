@@ -161,7 +161,7 @@ TEST_CASE("A key just after something else was opened opens no step of the lesso
     LessonApp app;
     app.open("lesson:tour");
     app.document.open("scene:figure-8");
-    app.lesson.next();
+    runCommand(*findCommand("lesson.next"), app.context);
     CHECK(app.session.messages().last().find("No lesson is open") == 0);
     app.settle();
     CHECK_FALSE(app.walk().isOpen());
