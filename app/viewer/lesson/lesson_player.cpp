@@ -424,6 +424,7 @@ void LessonPlayer::conclude() {
 void ShownStep::enter(const LessonWalk& walk) {
     const teach::LessonStep& step = walk.shownStep();
     std::vector<Index> points;
+    points.reserve(step.select.size());
     for (const std::string& word : step.select)
         points.push_back(teach::pointOf(word, walk.setting().names));
     c_.session.giveNames(walk.setting().names);
