@@ -8,7 +8,7 @@ namespace se {
 namespace {
 
 /// Numbers of triangles that are replaced at once, tried in this order.
-constexpr std::size_t kPatchSizes[] = {4, 6, 8, 10};
+constexpr std::size_t kPatchSizes[] = {4, 6, 10};
 
 /// Grows a patch to this number of triangles, those nearest to the first before others; false if
 /// there are fewer.
