@@ -51,13 +51,6 @@ Status findSurroundings(const PointFile& file, const std::vector<bool>& without,
     return success();
 }
 
-/// The given normals, of points at one place their mean.
-std::vector<Vec3> meanNormals(const Intake& intake) {
-    std::vector<Vec3> normal = intake.normal;
-    averageOverCopies(intake.placed, normal);
-    return normal;
-}
-
 /// Measures the given normals, and turns those that are flipped; empty if there are none, or if the
 /// normals do not fit.
 std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& intake,
@@ -68,7 +61,8 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
         if (intake.present[p] && !hasDirection(file.normal[p])) ++facts.completedNormals;
     }
     intake.normal = unitNormals(file.normal);
-    std::vector<Vec3> normal = meanNormals(intake);
+    std::vector<Vec3> normal = intake.normal;
+    averageOverCopies(intake.placed, normal);
     const GivenNormals given{file.position, normal, intake.present, intake.nearest};
     intake.fit = fitOf(given, threads);
     facts.normalsFit = normalsFit(intake.fit);
@@ -255,16 +249,17 @@ void takeReport(const PrepareReport& report, InputFacts& facts) {
 }
 
 /// The points as a judge has them: prepared with their given normals, where these fit, the flipped
-/// ones turned (`right`, unless none is). Adds the numbers that preparing has found to the facts.
+/// ones turned (`right`, unless none is). Where points are set aside as noise, the others get the
+/// mean normals of prepare(): a single one follows the noise. Adds the numbers that preparing has
+/// found to the facts.
 Result<PointSet> pointsFor(const PointFile& file, const PrepareOptions& options,
-                           const Intake& intake, std::vector<Vec3> right,
-                           const std::vector<bool>& stray, InputFacts& facts,
-                           const Progress& progress) {
+                           std::vector<Vec3> right, const std::vector<bool>& stray,
+                           InputFacts& facts, const Progress& progress) {
     // Lists by normals that contradict each other would end at the borders of patches.
     PointFile agreeing;
-    if (facts.flippedNormals > 0) {
+    if (!right.empty()) {
         agreeing = file;
-        agreeing.normal = right;
+        agreeing.normal = std::move(right);
     }
     Result<Prepared> prepared =
         preparedFor(facts.flippedNormals > 0 ? agreeing : file, options, stray, facts, progress);
@@ -273,11 +268,6 @@ Result<PointSet> pointsFor(const PointFile& file, const PrepareOptions& options,
     PointSet points = std::move(prepared.value().points);
     for (Aside& aside : points.aside) {
         if (aside == Aside::LeftOut) aside = Aside::Stray;
-    }
-    if (facts.normalsFit && right.empty()) right = meanNormals(intake);
-    // Where the file has no normal, the one that prepare() completed stays.
-    for (Index p = 0; p < right.size(); ++p) {
-        if (right[p] != Vec3(0.0)) points.normal[p] = right[p];
     }
     return points;
 }
@@ -351,7 +341,7 @@ Result<Measured> measured(const PointFile& file, const PrepareOptions& options, 
     const std::vector<bool> stray =
         strayPoints(file.position, intake.present, intake.nearest, threads);
     measureExtent(file, intake, stray, judge.facts);
-    Result<PointSet> points = pointsFor(file, options, intake, std::move(right), stray, judge.facts,
+    Result<PointSet> points = pointsFor(file, options, std::move(right), stray, judge.facts,
                                         partOf(progress, kMeasuredDone, kPreparedDone));
     if (!points) return points.error();
     judge.points = std::move(points.value());
