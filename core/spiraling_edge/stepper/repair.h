@@ -129,9 +129,10 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
 /// a side of the border or beside it, if no new triangle has a fault; from kSettlingRound on, else
-/// where the mesh has the fewest faults, but no more than before, the point counted. A point stays
-/// out if none of the mesh that it lists is within three spacings, by the spacing there (the
-/// distance to the sixth neighbor). Nothing if no point is left to try.
+/// into a patch that is filled around it, or where the mesh has the fewest faults, but no more than
+/// before, the point counted. A point stays out if none of the mesh that it lists is within three
+/// spacings, by the spacing there (the distance to the sixth neighbor). Nothing if no point is left
+/// to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most
@@ -148,7 +149,8 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
                                      RepairState& repair);
 
 /// RobustRules::remesh: replaces the triangles about the next faulty one by others between the same
-/// points, if none of them has a fault. Nothing if none is left.
+/// points, if none of them has a fault; in kSettlingRound, also those around one of its corners.
+/// Nothing if none is left.
 std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& repair);
 
 }  // namespace se

@@ -238,6 +238,35 @@ TEST_CASE("filling: with no two triangles of which one lies over the other") {
     CHECK(size(5) == 0);
 }
 
+TEST_CASE("filling: around a point inside, which all triangles have where it sees the whole ring") {
+    std::vector<Vec3> position = square();
+    position.emplace_back(2, 2, 0);
+    const PointSet points = flatPoints(position);
+    RepairState m = beginRepair(5, {});
+    HoleRing ring{{0, 1, 2, 3}, {kNone, kNone, kNone, kNone}, {}, 4};
+    const Filling filling = FillingSearch(points, m, ring).find();
+    CHECK(filling.size() == 4);
+    putFilling(m, ring, filling);
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+    CHECK(reachedSides(m, 4) == 4);
+}
+
+TEST_CASE("filling: around a point inside, with others where it does not see the ring") {
+    // Behind the notch at 3 the point at 6 does not see 4.
+    const PointSet points =
+        flatPoints({{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {2, 2, 0}, {1, 6, 0}, {0, 6, 0}, {4, 1, 0}});
+    RepairState m = beginRepair(7, {});
+    const HoleRing ring{{0, 1, 2, 3, 4, 5}, std::vector<HalfEdge>(6, kNone), {}, 6};
+    const Filling filling = FillingSearch(points, m, ring).find();
+    CHECK(filling.size() == 6);
+    putFilling(m, ring, filling);
+    CHECK_FALSE(joined(m, 6, 4));
+    CHECK(reachedSides(m, 6) >= 3);
+    double area = 0.0;
+    for (const Triangle& t : m.triangles) area += 0.5 * areaVector(points, t).z;
+    CHECK(area == doctest::Approx(22.0));
+}
+
 TEST_CASE("filling: a ring is widened by the triangle across a side, but not to a pinched point") {
     for (const bool pinched : {false, true}) {
         Triangles triangles{{0, 1, 2}};

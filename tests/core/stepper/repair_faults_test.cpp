@@ -54,6 +54,24 @@ TEST_CASE("remesh: replaces more than four triangles where four do not suffice")
     CHECK(manifoldFault(m) == "");
 }
 
+TEST_CASE("remesh: in the last round a point outside of its triangles gets others around it") {
+    std::vector<Vec3> position = gridPoints();
+    position[gridPoint(3, 3)] = {5.2, 3.9, 0};
+    const PointSet points = flatPoints(position);
+    const auto flippedAfter = [&](std::uint32_t round) {
+        RepairState m = beginRepair(points.size(), gridWithout({}));
+        REQUIRE(flippedIn(points, m.triangles) > 0);
+        m.round = round;
+        while (remeshNext(points, m)) {
+        }
+        CHECK(m.triangles.size() == gridWithout({}).size());
+        CHECK(manifoldFault(m) == "");
+        return flippedIn(points, m.triangles);
+    };
+    CHECK(flippedAfter(0) > 0);
+    CHECK(flippedAfter(kSettlingRound) == 0);
+}
+
 TEST_CASE("remesh: leaves a mesh without faults alone") {
     const PointSet points = flatPoints(gridPoints());
     RepairState m = beginRepair(points.size(), gridWithout({gridPoint(3, 3)}));

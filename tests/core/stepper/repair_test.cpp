@@ -292,7 +292,7 @@ Pierced pierced(std::initializer_list<Vec3> places, double height = 0.1) {
 
 TEST_CASE("reinsert: in the last rounds at the price of one fault, not of two") {
     const auto in = [](std::initializer_list<Vec3> places, std::uint32_t round) {
-        const auto [points, triangles] = pierced(places);
+        const auto [points, triangles] = pierced(places, 0.27);
         RepairState m = beginRepair(points.size(), triangles);
         m.round = round;
         const bool found = !reinsertAll(points, m).empty();

@@ -3,15 +3,18 @@
 /// are known (Barequet and Sharir 1995). Tried for the least angle first, then for the area.
 #include "spiraling_edge/stepper/robust/hole_filling.h"
 
+#include <utility>
+
 namespace se {
 
-/// The best filling of each part of the ring, from one place to another.
+/// The best filling of each part of the ring, from one place to another, counted from `first` on.
 template <typename Goal>
 class FillingTable {
   public:
-    explicit FillingTable(FillingSearch& search)
+    explicit FillingTable(FillingSearch& search, std::size_t first = 0)
         : search_(search),
           count_(search.ring_.size()),
+          first_(first),
           cost_(count_ * count_, kNoWay),
           middle_(count_ * count_, 0) {
         for (std::size_t span = 2; span < count_; ++span) {
@@ -23,6 +26,8 @@ class FillingTable {
         if (cost_[at(0, count_ - 1)] < kNoWay) collect(0, count_ - 1, found);
         return found;
     }
+    /// The best filling around the point inside with a triangle at the last side, and its cost.
+    std::pair<double, Filling> fillingAround() const;
 
   private:
     static constexpr double kNoWay = 1e300;
@@ -30,17 +35,17 @@ class FillingTable {
     std::size_t at(std::size_t i, std::size_t k) const { return i * count_ + k; }
 
     void fillPart(std::size_t i, std::size_t k) {
-        const std::vector<Index>& p = search_.ring_.points;
         const bool closing = i == 0 && k + 1 == count_;
-        if (!closing && search_.staysJoined(p[i], p[k])) return;
+        if (!closing &&
+            search_.staysJoined(search_.ring_.at(placeOf(i)), search_.ring_.at(placeOf(k))))
+            return;
         for (std::size_t j = i + 1; j < k; ++j) {
             const double before = costOf(i, j);
             const double after = costOf(j, k);
             if (before == kNoWay || after == kNoWay) continue;
-            const Triangle made = search_.triangle({i, j, k});
+            const Triangle made = triangle(i, j, k);
             const double cost = Goal::sum(Goal::of(search_.points_, made), before, after);
-            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || !search_.mayMake({i, j, k}))
-                continue;
+            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
             cost_[at(i, k)] = cost;
             middle_[at(i, k)] = j;
         }
@@ -51,26 +56,82 @@ class FillingTable {
     /// True if the triangle is folded onto one at its sides.
     bool folds(const Triangle& made, std::size_t i, std::size_t j, std::size_t k) const {
         const bool closing = i == 0 && k + 1 == count_;
-        return foldsAt(made, i, j) || foldsAt(made, j, k) ||
-               (closing && search_.foldsOnto(made, search_.ring_.outer[k]));
+        return foldsAt(made, i, j) || foldsAt(made, j, k) || (closing && foldsOutside(made, k));
     }
     bool foldsAt(const Triangle& made, std::size_t i, std::size_t k) const {
-        if (k == i + 1) return search_.foldsOnto(made, search_.ring_.outer[i]);
-        return folded(search_.points_, made, search_.triangle({i, middle_[at(i, k)], k}));
+        if (k == i + 1) return foldsOutside(made, i);
+        return folded(search_.points_, made, triangle(i, middle_[at(i, k)], k));
+    }
+    bool foldsOutside(const Triangle& made, std::size_t side) const {
+        return search_.foldsOnto(made, search_.ring_.outer[placeOf(side)]);
     }
     void collect(std::size_t i, std::size_t k, Filling& found) const {
         if (k == i + 1) return;
         const std::size_t j = middle_[at(i, k)];
-        found.push_back({i, j, k});
+        found.push_back(placesOf(i, j, k));
         collect(i, j, found);
         collect(j, k, found);
     }
 
+    /// The place on the ring; count_ is the point inside.
+    std::size_t placeOf(std::size_t i) const { return i < count_ ? (first_ + i) % count_ : i; }
+    /// From the first of them on the ring.
+    RingTriangle placesOf(std::size_t i, std::size_t j, std::size_t k) const {
+        RingTriangle t{placeOf(i), placeOf(j), placeOf(k)};
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        return t;
+    }
+    Triangle triangle(std::size_t i, std::size_t j, std::size_t k) const {
+        return search_.triangle({placeOf(i), placeOf(j), placeOf(k)});
+    }
+    bool mayMake(std::size_t i, std::size_t j, std::size_t k) const {
+        return search_.mayMake(placesOf(i, j, k));
+    }
+
     FillingSearch& search_;
     std::size_t count_;
+    std::size_t first_;
     std::vector<double> cost_;         ///< Of the best filling of a part.
     std::vector<std::size_t> middle_;  ///< Third corner of its triangle from end to end.
 };
+
+template <typename Goal>
+std::pair<double, Filling> FillingTable<Goal>::fillingAround() const {
+    // Per place, of the triangles around the point from the first place to this one, with the parts
+    // beyond them.
+    std::vector<double> cost(count_, kNoWay);
+    std::vector<std::size_t> before(count_, 0);
+    cost[0] = Goal::kNone;
+    const auto foldsBehind = [&](const Triangle& made, std::size_t i) {
+        return i > 0 && folded(search_.points_, made, triangle(before[i], i, count_));
+    };
+    for (std::size_t k = 1; k < count_; ++k) {
+        for (std::size_t i = 0; i < k; ++i) {
+            if (cost[i] == kNoWay || costOf(i, k) == kNoWay) continue;
+            const Triangle made = triangle(i, k, count_);
+            const double sum = Goal::sum(Goal::of(search_.points_, made), cost[i], costOf(i, k));
+            if (sum >= cost[k] || foldsAt(made, i, k) || foldsBehind(made, i) ||
+                !mayMake(i, k, count_))
+                continue;
+            cost[k] = sum;
+            before[k] = i;
+        }
+    }
+    const std::size_t last = count_ - 1;
+    const Triangle closing = triangle(last, 0, count_);
+    if (cost[last] == kNoWay || foldsOutside(closing, last) || foldsBehind(closing, last) ||
+        !mayMake(last, 0, count_))
+        return {kNoWay, {}};
+    Filling found{placesOf(last, 0, count_)};
+    std::size_t k = last;
+    for (; k > 0; k = before[k]) {
+        found.push_back(placesOf(before[k], k, count_));
+        collect(before[k], k, found);
+        if (before[k] == 0 && folded(search_.points_, closing, triangle(0, k, count_)))
+            return {kNoWay, {}};
+    }
+    return {Goal::sum(Goal::of(search_.points_, closing), cost[last], Goal::kNone), found};
+}
 
 namespace {
 
@@ -111,14 +172,28 @@ FillingSearch::FillingSearch(const PointSet& points, RepairState& repair, const 
     : points_(points),
       m_(repair),
       ring_(ring),
-      known_(ring.size() * ring.size() * ring.size(), Known::Nothing) {}
+      known_((ring.size() + 1) * (ring.size() + 1) * (ring.size() + 1), Known::Nothing) {}
 
 Filling FillingSearch::find() {
     if (hasBlockedSide()) return {};
+    if (ring_.inside != kNone) return findAround();
     Filling filling = FillingTable<LeastAngle>(*this).filling();
     if (!crossesItself(filling)) return filling;
     filling = FillingTable<Area>(*this).filling();
     return crossesItself(filling) ? Filling{} : filling;
+}
+
+/// The filling around the point inside with the largest least angle.
+Filling FillingSearch::findAround() {
+    Filling best;
+    double least = 2.0;
+    for (std::size_t first = 0; first < ring_.size(); ++first) {
+        auto [cost, filling] = FillingTable<LeastAngle>(*this, first).fillingAround();
+        if (cost >= least || crossesItself(filling)) continue;
+        least = cost;
+        best = std::move(filling);
+    }
+    return best;
 }
 
 /// True if visit(triangle) holds for one of the triangles at a side of the ring.
@@ -128,10 +203,13 @@ bool FillingSearch::anyThird(std::size_t side, Visit&& visit) {
     for (std::size_t third = 0; third < ring_.size(); ++third) {
         if (third == side || third == next) continue;
         RingTriangle t{side, next, third};
-        std::sort(t.begin(), t.end());
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
         if (visit(t)) return true;
     }
-    return false;
+    if (ring_.inside == kNone) return false;
+    RingTriangle t{side, next, ring_.size()};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return visit(t);
 }
 
 /// True if every triangle at a side has a fault.
@@ -189,9 +267,8 @@ bool FillingSearch::fits(const RingTriangle& t) const {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t from = t[k];
         const std::size_t to = t[(k + 1) % 3];
-        const bool isSide = (from + 1) % ring_.size() == to;
-        if (isSide ? foldsOnto(made, ring_.outer[from])
-                   : staysJoined(ring_.points[from], ring_.points[to]))
+        const bool isSide = from < ring_.size() && (from + 1) % ring_.size() == to;
+        if (isSide ? foldsOnto(made, ring_.outer[from]) : staysJoined(ring_.at(from), ring_.at(to)))
             return false;
     }
     return true;
@@ -231,28 +308,77 @@ bool FillingSearch::crossesItself(const Filling& filling) const {
 }
 
 void putFilling(RepairState& m, const HoleRing& ring, const Filling& filling) {
-    const std::size_t count = ring.size();
+    const std::size_t count = ring.size() + 1;
     // The new side from one place of the ring to another, to find the twin of each.
     std::vector<HalfEdge> sides(count * count, kNone);
     for (std::size_t i = 0; i < filling.size(); ++i) {
         const RingTriangle& t = filling[i];
         const HalfEdge first =
-            putTriangle(m, ring.gone, i, {ring.points[t[0]], ring.points[t[1]], ring.points[t[2]]});
+            putTriangle(m, ring.gone, i, {ring.at(t[0]), ring.at(t[1]), ring.at(t[2])});
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge h = first + k;
             sides[t[k] * count + t[(k + 1) % 3]] = h;
-            m.sideOf.set(ring.points[t[k]], h);
+            m.sideOf.set(ring.at(t[k]), h);
             m.queue.push_back(h);
         }
     }
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < count; ++k) {
             const HalfEdge h = sides[i * count + k];
-            if (h != kNone) pair(m, h, (i + 1) % count == k ? ring.outer[i] : sides[k * count + i]);
+            const bool isSide = i < ring.size() && (i + 1) % ring.size() == k;
+            if (h != kNone) pair(m, h, isSide ? ring.outer[i] : sides[k * count + i]);
         }
     }
     const auto reused = static_cast<std::ptrdiff_t>(std::min(filling.size(), ring.gone.size()));
     dropTriangles(m, {ring.gone.begin() + reused, ring.gone.end()});
+}
+
+HoleRing patchOf(const RepairState& m, Index t) {
+    const Triangle& c = m.triangles[t];
+    return {{c.a, c.b, c.c}, {m.twin[3 * t], m.twin[3 * t + 1], m.twin[3 * t + 2]}, {t}, kNone};
+}
+
+namespace {
+
+/// Grows a patch to this number of triangles, or as far as it goes.
+void growTo(const RepairState& m, std::size_t size, HoleRing& patch) {
+    for (std::size_t i = 0; i < patch.gone.size(); ++i) {
+        for (Index k = 0; k < 3 && patch.gone.size() < size; ++k) {
+            const auto side =
+                std::find(patch.outer.begin(), patch.outer.end(), m.twin[3 * patch.gone[i] + k]);
+            if (side != patch.outer.end())
+                widenByTriangle(m, static_cast<std::size_t>(side - patch.outer.begin()), patch);
+        }
+    }
+}
+
+/// The triangles of a patch that its filling does not have.
+Index countReplaced(const RepairState& m, const HoleRing& patch, const Filling& filling) {
+    const auto isMade = [&](const Triangle& old) {
+        return std::any_of(filling.begin(), filling.end(), [&](const RingTriangle& t) {
+            const Triangle made{patch.at(t[0]), patch.at(t[1]), patch.at(t[2])};
+            return fromLeastCorner(made) == fromLeastCorner(old);
+        });
+    };
+    return static_cast<Index>(std::count_if(patch.gone.begin(), patch.gone.end(),
+                                            [&](Index t) { return !isMade(m.triangles[t]); }));
+}
+
+}  // namespace
+
+Index replacePatch(const PointSet& points, RepairState& m, HoleRing& patch,
+                   std::span<const std::size_t> sizes) {
+    std::size_t tried = 0;
+    for (const std::size_t size : sizes) {
+        growTo(m, size, patch);
+        if (std::exchange(tried, patch.gone.size()) == patch.gone.size()) return 0;
+        const Filling filling = FillingSearch(points, m, patch).find();
+        if (filling.empty()) continue;
+        const Index replaced = countReplaced(m, patch, filling);
+        putFilling(m, patch, filling);
+        return replaced;
+    }
+    return 0;
 }
 
 }  // namespace se

@@ -17,8 +17,11 @@ struct HoleRing {
     std::vector<Index> points;    ///< Counterclockwise around the filling.
     std::vector<HalfEdge> outer;  ///< Per point: across the side to the next; kNone at a border.
     std::vector<Index> gone;      ///< Triangles inside, which the filling replaces.
+    Index inside = kNone;  ///< A point in no triangle, which the filling goes around, if any.
 
     std::size_t size() const { return points.size(); }
+    /// The point at a position; at size() the one inside.
+    Index at(std::size_t i) const { return i < points.size() ? points[i] : inside; }
 };
 inline bool isOn(const HoleRing& ring, Index point) {
     return std::find(ring.points.begin(), ring.points.end(), point) != ring.points.end();
@@ -31,9 +34,12 @@ inline bool isGone(const HoleRing& ring, Index triangle) {
 /// where the point is pinched or on the ring already.
 bool widenByTriangle(const RepairState& repair, std::size_t side, HoleRing& ring);
 
-/// Positions in HoleRing::points, ascending.
+/// The patch of one triangle.
+HoleRing patchOf(const RepairState& repair, Index triangle);
+
+/// Places of HoleRing::at(), counterclockwise.
 using RingTriangle = std::array<std::size_t, 3>;
-/// Triangles that fill a ring of n points: n - 2, or none.
+/// Triangles that fill a ring of n points: n - 2, with a point inside n; or none.
 using Filling = std::vector<RingTriangle>;
 
 /// The search for the filling of a ring. A triangle of it has no fault: it is not flipped, has
@@ -47,7 +53,8 @@ class FillingSearch {
     /// The filling with the largest least angle or, where that one crosses itself, with the least
     /// area; empty if there is none. Dynamic programming over parts of the ring (Barequet and
     /// Sharir 1995), O(n^3), unless a side of the ring is blocked: 97 in 100 of the rings without a
-    /// filling have such a side.
+    /// filling have such a side. Around a point inside, each side in turn gets a triangle with that
+    /// point, O(n^4).
     Filling find();
     /// The first side of the ring, from number `from` on, at which every triangle has a fault; the
     /// number of sides if there is none.
@@ -55,7 +62,7 @@ class FillingSearch {
 
   private:
     Triangle triangle(const RingTriangle& t) const {
-        return {ring_.points[t[0]], ring_.points[t[1]], ring_.points[t[2]]};
+        return {ring_.at(t[0]), ring_.at(t[1]), ring_.at(t[2])};
     }
     bool staysJoined(Index u, Index v) const;
     bool foldsOnto(const Triangle& made, HalfEdge outer) const;
@@ -68,6 +75,7 @@ class FillingSearch {
     bool isBlocked(std::size_t side);
     bool hasBlockedSide();
     bool crossesItself(const Filling& filling) const;
+    Filling findAround();
 
     template <typename Goal>
     friend class FillingTable;
@@ -76,7 +84,8 @@ class FillingSearch {
     /// conflict.
     enum class Known : std::uint8_t { Nothing, Fit, Sound, Faulty };
     Known& known(const RingTriangle& t) {
-        return known_[(t[0] * ring_.size() + t[1]) * ring_.size() + t[2]];
+        const std::size_t count = ring_.size() + 1;
+        return known_[(t[0] * count + t[1]) * count + t[2]];
     }
 
     const PointSet& points_;
@@ -85,6 +94,12 @@ class FillingSearch {
     std::vector<Known> known_;
     Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: asked first.
 };
+
+/// Replaces the triangles of a patch by a filling, once it is grown to one of these numbers of
+/// triangles or as far as it goes, those nearest to the first before others. The number of triangles
+/// that the filling has not itself; 0 if no patch of these has a filling.
+Index replacePatch(const PointSet& points, RepairState& repair, HoleRing& patch,
+                  std::span<const std::size_t> sizes);
 
 /// Puts the filling in the place of HoleRing::gone, and at the end of the list; those that are gone
 /// and get no new one are dropped.

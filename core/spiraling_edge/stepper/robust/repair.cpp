@@ -98,7 +98,9 @@ constexpr RepairPhase kOrder[] = {
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
-    {Phase::Remesh, [](const RobustRules& rules, std::uint32_t) { return rules.remesh; }},
+    // What the second round would mend, the third one does.
+    {Phase::Remesh,
+     [](const RobustRules& rules, std::uint32_t round) { return rules.remesh && round != 1; }},
 };
 
 /// Goes to the first phase at or after position `from` of the order whose rule is on.

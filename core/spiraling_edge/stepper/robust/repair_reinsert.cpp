@@ -3,10 +3,11 @@
 /// border, which it divides or is joined to. Of all places the one with the best angles is taken. A
 /// point farther than three local spacings from the mesh stays out.
 /// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
-/// At the end, a point that fits nowhere without a fault takes the place where the new triangles
-/// have at most one fault more than those they replace, since the point itself, in no triangle, is
-/// one. Of several places the one with the fewest faults is taken, then the one with the best
-/// angles. A new triangle is never flipped.
+/// From kSettlingRound on, a point without such a place is put inside a patch, which is filled
+/// around it. At the end, a point that fits nowhere without a fault takes the place where the new
+/// triangles have at most one fault more than those they replace, since the point itself, in no
+/// triangle, is one. Of several places the one with the fewest faults is taken, then the one with
+/// the best angles. A new triangle is never flipped.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -14,7 +15,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "spiraling_edge/stepper/robust/repair_sides.h"
+#include "spiraling_edge/stepper/robust/hole_filling.h"
 
 namespace se {
 namespace {
@@ -140,6 +141,25 @@ std::vector<Index> trianglesListed(const PointSet& points, const RepairState& m,
     return found;
 }
 
+/// Those of them that are nearest to x, in this order, at most so many.
+std::vector<Index> nearestListed(const PointSet& points, const RepairState& m, Index x,
+                                 std::size_t most) {
+    const Vec3& place = points.position[x];
+    std::vector<std::pair<double, Index>> byDistance;
+    for (const Index t : trianglesListed(points, m, x)) {
+        const Triangle& c = m.triangles[t];
+        const Vec3 d = place - nearestPoint(place, points.position[c.a], points.position[c.b],
+                                            points.position[c.c]);
+        byDistance.emplace_back(glm::dot(d, d), t);
+    }
+    std::sort(byDistance.begin(), byDistance.end());
+    byDistance.resize(std::min(byDistance.size(), most));
+    std::vector<Index> list;
+    list.reserve(byDistance.size());
+    for (const auto& [distanceSq, t] : byDistance) list.push_back(t);
+    return list;
+}
+
 /// A triangle between the point and an old edge, and what was found out about it: it is made for
 /// many places.
 struct NewTriangle {
@@ -196,7 +216,8 @@ class PlaceSearch {
     /// there; the nearest first.
     template <typename Visit>
     void forEachPlace(Visit&& visit) {
-        for (const Index t : nearestListed()) {
+        const std::size_t most = m_.round < kSettlingRound ? kNearest : m_.triangles.size();
+        for (const Index t : nearestListed(points_, m_, x_, most)) {
             Change inside(m_, x_);
             inside.replace(t);
             visit(inside);
@@ -208,23 +229,6 @@ class PlaceSearch {
             }
         }
     }
-    std::vector<Index> nearestListed() const {
-        std::vector<std::pair<double, Index>> byDistance;
-        for (const Index t : trianglesListed(points_, m_, x_)) {
-            const Triangle& c = m_.triangles[t];
-            const Vec3 d =
-                points_.position[x_] - nearestPoint(points_.position[x_], points_.position[c.a],
-                                                    points_.position[c.b], points_.position[c.c]);
-            byDistance.emplace_back(glm::dot(d, d), t);
-        }
-        std::sort(byDistance.begin(), byDistance.end());
-        if (m_.round < kSettlingRound) byDistance.resize(std::min(byDistance.size(), kNearest));
-        std::vector<Index> list;
-        list.reserve(byDistance.size());
-        for (const auto& [distanceSq, t] : byDistance) list.push_back(t);
-        return list;
-    }
-
     // What is known of new triangles:
 
     /// The reference stays valid.
@@ -404,6 +408,35 @@ bool isWithinReach(const PointSet& points, const RepairState& m, Index x) {
     });
 }
 
+/// Number of triangles that are replaced at once by others around a point.
+constexpr std::size_t kPatchSizes[] = {6};
+
+/// Replaces the triangles about one that is near the point by others between their points and this
+/// one, of which none has a fault. The number of those replaced, 0 if there is no such place.
+Index putInPatch(const PointSet& points, RepairState& m, Index x) {
+    for (const Index t : nearestListed(points, m, x, kNearest)) {
+        HoleRing patch = patchOf(m, t);
+        patch.inside = x;
+        const Index replaced = replacePatch(points, m, patch, kPatchSizes);
+        if (replaced > 0) return replaced;
+    }
+    return 0;
+}
+
+/// Puts a point in, without a fault or at the price of one. The number of triangles that it takes
+/// the place of; nothing if there is no place.
+std::optional<Index> putIn(const PointSet& points, RepairState& m, Index x, bool atPrice) {
+    PlaceSearch search(points, m, x);
+    const std::optional<Change> change = atPrice ? search.findCheapest() : search.find();
+    if (change) {
+        change->apply(m);
+        return static_cast<Index>(change->gone().size());
+    }
+    if (atPrice || m.round < kSettlingRound) return std::nullopt;
+    const Index replaced = putInPatch(points, m, x);
+    return replaced > 0 ? std::optional(replaced) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& m) {
@@ -414,14 +447,11 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
     for (; m.next < end; ++m.next) {
         const Index x = points.inOrder(m.next % count);
         if (m.sideOf[x] != kNone || !isWithinReach(points, m, x)) continue;
-        PlaceSearch search(points, m, x);
-        const std::optional<Change> change = m.next < count ? search.find() : search.findCheapest();
-        if (!change) continue;
-        const auto replaced = static_cast<Index>(change->gone().size());
-        change->apply(m);
+        const std::optional<Index> replaced = putIn(points, m, x, m.next >= count);
+        if (!replaced) continue;
         ++m.reinserted;
         ++m.next;
-        return ReinsertEvidence{x, replaced};
+        return ReinsertEvidence{x, *replaced};
     }
     return std::nullopt;
 }

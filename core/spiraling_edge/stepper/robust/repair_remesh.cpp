@@ -1,5 +1,6 @@
 /// RobustRules::remesh, at each triangle with a fault: those about it are replaced by others
-/// between the same points, of which none has a fault, as by a flip of several edges at once.
+/// between the same points, of which none has a fault, as by a flip of several edges at once. In
+/// the last round those around one of its corners are, too, by others that go around the corner.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/robust/hole_filling.h"
@@ -8,35 +9,44 @@ namespace se {
 namespace {
 
 /// Numbers of triangles that are replaced at once, tried in this order.
-constexpr std::size_t kPatchSizes[] = {4, 6, 10};
+constexpr std::size_t kPatchSizes[] = {4, 10};
+/// Numbers of triangles that are replaced with those at a corner.
+constexpr std::size_t kBeyondCorner = 6;
 
-/// Grows a patch to this number of triangles, those nearest to the first before others; false if
-/// there are fewer.
-bool growTo(const RepairState& m, std::size_t size, HoleRing& patch) {
-    for (std::size_t i = 0; i < patch.gone.size(); ++i) {
-        for (Index k = 0; k < 3 && patch.gone.size() < size; ++k) {
-            const auto side =
-                std::find(patch.outer.begin(), patch.outer.end(), m.twin[3 * patch.gone[i] + k]);
-            if (side != patch.outer.end())
-                widenByTriangle(m, static_cast<std::size_t>(side - patch.outer.begin()), patch);
-        }
-    }
-    return patch.gone.size() == size;
+bool isAnyPinched(const RepairState& m, std::span<const Index> points) {
+    return std::any_of(points.begin(), points.end(), [&](Index p) { return m.pinched[p] != 0; });
 }
 
 bool remeshAround(const PointSet& points, RepairState& m, Index t) {
-    const Triangle& mine = m.triangles[t];
-    if (m.pinched[mine.a] || m.pinched[mine.b] || m.pinched[mine.c]) return false;
-    HoleRing patch{
-        {mine.a, mine.b, mine.c}, {m.twin[3 * t], m.twin[3 * t + 1], m.twin[3 * t + 2]}, {t}};
-    for (const std::size_t size : kPatchSizes) {
-        if (!growTo(m, size, patch)) return false;
-        const Filling filling = FillingSearch(points, m, patch).find();
-        if (filling.empty()) continue;
-        putFilling(m, patch, filling);
-        return true;
-    }
-    return false;
+    HoleRing patch = patchOf(m, t);
+    return !isAnyPinched(m, patch.points) && replacePatch(points, m, patch, kPatchSizes) > 0;
+}
+
+/// The triangles at a point, which is inside; none if the surface ends there.
+HoleRing patchAround(const RepairState& m, Index p) {
+    HoleRing patch;
+    bool ends = false;
+    forEachSideOf(m, p, [&](HalfEdge h) {
+        patch.points.push_back(cornerOf(m, following(h)));
+        patch.outer.push_back(m.twin[following(h)]);
+        patch.gone.push_back(h / 3);
+        ends = ends || m.twin[h] == kNone;
+    });
+    patch.inside = p;
+    return ends ? HoleRing{} : patch;
+}
+
+bool remeshAroundCorner(const PointSet& points, RepairState& m, Index corner) {
+    HoleRing patch = patchAround(m, corner);
+    if (patch.gone.empty() || m.pinched[corner] || isAnyPinched(m, patch.points)) return false;
+    const std::size_t first = patch.gone.size();
+    const std::size_t sizes[] = {first, first + kBeyondCorner};
+    return replacePatch(points, m, patch, sizes) > 0;
+}
+
+bool remeshAroundCorners(const PointSet& points, RepairState& m, const Triangle& t) {
+    return remeshAroundCorner(points, m, t.a) || remeshAroundCorner(points, m, t.b) ||
+           remeshAroundCorner(points, m, t.c);
 }
 
 }  // namespace
@@ -45,7 +55,9 @@ std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& m)
     for (; m.next < m.triangles.size(); ++m.next) {
         if (!isFaulty(points, m, m.next)) continue;
         const Triangle faulty = m.triangles[m.next];
-        if (!remeshAround(points, m, m.next)) continue;
+        const bool isLast = m.round == kSettlingRound;
+        if (!remeshAround(points, m, m.next) && !(isLast && remeshAroundCorners(points, m, faulty)))
+            continue;
         ++m.remeshed;
         ++m.next;
         return RemeshEvidence{faulty};
