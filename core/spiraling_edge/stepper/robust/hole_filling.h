@@ -96,10 +96,10 @@ class FillingSearch {
 };
 
 /// Replaces the triangles of a patch by a filling, once it is grown to one of these numbers of
-/// triangles or as far as it goes, those nearest to the first before others. The number of triangles
-/// that the filling has not itself; 0 if no patch of these has a filling.
+/// triangles or as far as it goes, those nearest to the first before others. The number of
+/// triangles that the filling has not itself; 0 if no patch of these has a filling.
 Index replacePatch(const PointSet& points, RepairState& repair, HoleRing& patch,
-                  std::span<const std::size_t> sizes);
+                   std::span<const std::size_t> sizes);
 
 /// Puts the filling in the place of HoleRing::gone, and at the end of the list; those that are gone
 /// and get no new one are dropped.
