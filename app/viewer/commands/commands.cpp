@@ -486,11 +486,7 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"file.quit", hasWindow, "Close the page instead."},
     {"view.frame", isOpen, kNothing},
     {"view.follow", isOpen, kNothing},
-    {"step.alert.", isChecked, "The mesh is not checked yet."},
-    {"step.alert.", hasPlaces, "There is no place with faults."},
     {"step.copyfailure", showsAlert, kNoAlertShown},
-    {"edit.undo", canUndo, "There is nothing to undo."},
-    {"edit.redo", canRedo, "There is nothing to redo."},
     {"edit.rules.reset", hasChangedRules, kNoChangedRules},
     {"edit.whatif.clear", hasWhatIfs, kNoWhatIfs},
     {"run.compare.stop", compares, "Nothing is compared."},
@@ -504,13 +500,18 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"view.spotlight", presents, "The spotlight belongs to the layout Present (F2)."},
 });
 
-/// Of commands that are gray, since they would lead nowhere, but are carried out.
+/// Of commands that are gray, since they would lead nowhere, but are carried out: they may say
+/// more, and undoing ends a change that is still open.
 constexpr auto kMoveNeeds = std::to_array<Need>({
     {"run.play", isBeforeEnd, kFinished},
     {"run.end", isBeforeEnd, kFinished},
     {"step.event.next", isBeforeEnd, kFinished},
     {"step.pivot.next", isBeforeEnd, kFinished},
     {"run.start", isAfterStart, "This is the start of the run."},
+    {"step.alert.", isChecked, "The mesh is not checked yet."},
+    {"step.alert.", hasPlaces, "There is no place with faults."},
+    {"edit.undo", canUndo, "There is nothing to undo."},
+    {"edit.redo", canRedo, "There is nothing to redo."},
 });
 
 /// The reason of the first need that does not hold; empty if all do.
@@ -590,7 +591,8 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
         (context.sampling.*found->act)();
         return true;
     }
-    if (command.id.starts_with("file.save") && command.id != "file.savemesh") {
+    if (command.id == "file.save" || command.id == "file.saveas" ||
+        command.id == "file.savepoints") {
         savePoints(context);
         return true;
     }

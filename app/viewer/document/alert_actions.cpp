@@ -146,7 +146,15 @@ std::optional<std::size_t> alertAt(const RunAlerts& alerts, const Selection& wha
 void nextPlace(CommandContext& context, int direction) {
     Session& session = context.session;
     const RunAlerts& alerts = session.alerts();
+    if (!alerts.done())
+        return session.messages().say(alerts.busy() ? "The search for faults is still running."
+                                                    : "The search for faults has not started yet.");
     const auto count = static_cast<std::ptrdiff_t>(alerts.places().size());
+    if (count == 0) {
+        const bool sound = alerts.sound();
+        return session.messages().say(sound ? "No faults found."
+                                            : "No place to show: " + verdictText(alerts) + ".");
+    }
     const auto chosen = session.alerts().chosen();
     const auto from = session.alerts().place()    ? session.alerts().place()
                       : chosen && session.atEnd() ? alerts.placeOf(*chosen)

@@ -125,7 +125,7 @@ void Growth::play(int steps) {
 }
 
 void Growth::advance(int steps) {
-    if (!spread_ || phase() == GrowthPhase::Done) return;
+    if (!spread_ || !error_.empty() || phase() == GrowthPhase::Done) return;
     spread_->follows = false;
     const int made = picture_ ? picture_->step : 0;
     const bool finishes = spread_->target >= Sampler::allSteps();
@@ -134,7 +134,7 @@ void Growth::advance(int steps) {
 }
 
 void Growth::pause() {
-    if (!spread_ || phase() == GrowthPhase::Done) return;
+    if (!spread_ || !error_.empty() || phase() == GrowthPhase::Done) return;
     spread_->follows = false;
     spread_->target = 0;
     work();

@@ -256,13 +256,14 @@ Result<PointSet> pointsFor(const PointFile& file, const PrepareOptions& options,
                            std::vector<Vec3> right, const std::vector<bool>& stray,
                            InputFacts& facts, const Progress& progress) {
     // Lists by normals that contradict each other would end at the borders of patches.
+    const bool turned = !right.empty();
     PointFile agreeing;
-    if (!right.empty()) {
+    if (turned) {
         agreeing = file;
         agreeing.normal = std::move(right);
     }
     Result<Prepared> prepared =
-        preparedFor(facts.flippedNormals > 0 ? agreeing : file, options, stray, facts, progress);
+        preparedFor(turned ? agreeing : file, options, stray, facts, progress);
     if (!prepared) return prepared.error();
     takeReport(prepared.value().report, facts);
     PointSet points = std::move(prepared.value().points);

@@ -326,9 +326,10 @@ class NeighborSearch {
         for (std::size_t from = 0; from < groups.size(); from += kPerRange)
             ranges_.emplace_back(blocks_,
                                  groups.subspan(from, std::min(kPerRange, groups.size() - from)));
-        // Lists of a known length are moved to their places at once: the search needs no more room
-        // than they do.
-        const bool known = !rule_.all && total_ * rule_.length < kNone;
+        // Lists of a known length are moved to their places at once: where most points are usable,
+        // the search needs hardly more room than they do.
+        const std::uint64_t most = std::uint64_t{total_} * rule_.length;
+        const bool known = !rule_.all && most < kNone && 2 * blocks_.size() > total_;
         NeighborLists lists = known ? spacedLists() : NeighborLists{};
         const auto find = [&](std::size_t i) {
             if (known) return ranges_[i].runInto(normal_, rule_, lists);
@@ -379,6 +380,7 @@ class NeighborSearch {
         if (entries == lists.ids.size()) return;
         std::vector<std::uint32_t> offset = offsets();
         for (std::size_t p = 0; p < total_; ++p) {
+            if (offset[p] == lists.offset[p]) continue;
             const auto from = lists.ids.begin() + lists.offset[p];
             std::copy(from, from + (offset[p + 1] - offset[p]), lists.ids.begin() + offset[p]);
         }

@@ -176,7 +176,7 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     CommandContext sound = app.context.of(open.session);
     REQUIRE(open.session.alerts().done());
     runCommand(*findCommand("step.alert.next"), sound);
-    CHECK(open.session.messages().last() == "There is no place with faults.");
+    CHECK(open.session.messages().last() == "No faults found.");
 }
 
 TEST_CASE("A place is looked at straight, with all of its faults on half of the view") {

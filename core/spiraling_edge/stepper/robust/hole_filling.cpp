@@ -100,34 +100,34 @@ std::pair<double, Filling> FillingTable<Goal>::fillingAround() const {
     // Per place, of the triangles around the point from the first place to this one, with the parts
     // beyond them.
     std::vector<double> cost(count_, kNoWay);
-    std::vector<std::size_t> before(count_, 0);
+    std::vector<std::size_t> previous(count_, 0);
     cost[0] = Goal::kNone;
-    const auto foldsBehind = [&](const Triangle& made, std::size_t i) {
-        return i > 0 && folded(search_.points_, made, triangle(before[i], i, count_));
+    const auto foldsOntoPrevious = [&](const Triangle& made, std::size_t i) {
+        return i > 0 && folded(search_.points_, made, triangle(previous[i], i, count_));
     };
     for (std::size_t k = 1; k < count_; ++k) {
         for (std::size_t i = 0; i < k; ++i) {
             if (cost[i] == kNoWay || costOf(i, k) == kNoWay) continue;
             const Triangle made = triangle(i, k, count_);
             const double sum = Goal::sum(Goal::of(search_.points_, made), cost[i], costOf(i, k));
-            if (sum >= cost[k] || foldsAt(made, i, k) || foldsBehind(made, i) ||
+            if (sum >= cost[k] || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
                 !mayMake(i, k, count_))
                 continue;
             cost[k] = sum;
-            before[k] = i;
+            previous[k] = i;
         }
     }
     const std::size_t last = count_ - 1;
     const Triangle closing = triangle(last, 0, count_);
-    if (cost[last] == kNoWay || foldsOutside(closing, last) || foldsBehind(closing, last) ||
+    if (cost[last] == kNoWay || foldsOutside(closing, last) || foldsOntoPrevious(closing, last) ||
         !mayMake(last, 0, count_))
         return {kNoWay, {}};
     Filling found{placesOf(last, 0, count_)};
     std::size_t k = last;
-    for (; k > 0; k = before[k]) {
-        found.push_back(placesOf(before[k], k, count_));
-        collect(before[k], k, found);
-        if (before[k] == 0 && folded(search_.points_, closing, triangle(0, k, count_)))
+    for (; k > 0; k = previous[k]) {
+        found.push_back(placesOf(previous[k], k, count_));
+        collect(previous[k], k, found);
+        if (previous[k] == 0 && folded(search_.points_, closing, triangle(0, k, count_)))
             return {kNoWay, {}};
     }
     return {Goal::sum(Goal::of(search_.points_, closing), cost[last], Goal::kNone), found};
@@ -183,7 +183,8 @@ Filling FillingSearch::find() {
     return crossesItself(filling) ? Filling{} : filling;
 }
 
-/// The filling around the point inside with the largest least angle.
+/// Of the fillings with a triangle between the point inside and a side of the ring, the best one
+/// that the tables find.
 Filling FillingSearch::findAround() {
     Filling best;
     double least = 2.0;
@@ -375,6 +376,7 @@ Index replacePatch(const PointSet& points, RepairState& m, HoleRing& patch,
         const Filling filling = FillingSearch(points, m, patch).find();
         if (filling.empty()) continue;
         const Index replaced = countReplaced(m, patch, filling);
+        if (replaced == 0) continue;
         putFilling(m, patch, filling);
         return replaced;
     }

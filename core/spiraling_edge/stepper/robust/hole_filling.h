@@ -17,7 +17,7 @@ struct HoleRing {
     std::vector<Index> points;    ///< Counterclockwise around the filling.
     std::vector<HalfEdge> outer;  ///< Per point: across the side to the next; kNone at a border.
     std::vector<Index> gone;      ///< Triangles inside, which the filling replaces.
-    Index inside = kNone;  ///< A point in no triangle, which the filling goes around, if any.
+    Index inside = kNone;  ///< A point in no triangle that stays; the filling goes around it.
 
     std::size_t size() const { return points.size(); }
     /// The point at a position; at size() the one inside.

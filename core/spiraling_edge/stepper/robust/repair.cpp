@@ -98,7 +98,7 @@ constexpr RepairPhase kOrder[] = {
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
-    // What the second round would mend, the third one does.
+    // What the second round would repair, the third one does.
     {Phase::Remesh,
      [](const RobustRules& rules, std::uint32_t round) { return rules.remesh && round != 1; }},
 };

@@ -1,6 +1,6 @@
 /// RobustRules::remesh, at each triangle with a fault: those about it are replaced by others
 /// between the same points, of which none has a fault, as by a flip of several edges at once. In
-/// the last round those around one of its corners are, too, by others that go around the corner.
+/// kSettlingRound those around one of its corners are, too, by others that go around the corner.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/robust/hole_filling.h"
@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kPatchSizes[] = {4, 10};
 /// Numbers of triangles that are replaced with those at a corner.
 constexpr std::size_t kBeyondCorner = 6;
+/// The search takes O(n^4) for a ring of n points, so that corners of more triangles are left.
+constexpr std::size_t kMostAtCorner = 24;
 
 bool isAnyPinched(const RepairState& m, std::span<const Index> points) {
     return std::any_of(points.begin(), points.end(), [&](Index p) { return m.pinched[p] != 0; });
@@ -22,7 +24,8 @@ bool remeshAround(const PointSet& points, RepairState& m, Index t) {
     return !isAnyPinched(m, patch.points) && replacePatch(points, m, patch, kPatchSizes) > 0;
 }
 
-/// The triangles at a point, which is inside; none if the surface ends there.
+/// The triangles at a point, which is inside; none if the surface ends there, and for too few or
+/// too many.
 HoleRing patchAround(const RepairState& m, Index p) {
     HoleRing patch;
     bool ends = false;
@@ -33,7 +36,8 @@ HoleRing patchAround(const RepairState& m, Index p) {
         ends = ends || m.twin[h] == kNone;
     });
     patch.inside = p;
-    return ends ? HoleRing{} : patch;
+    const bool fits = patch.gone.size() >= 3 && patch.gone.size() <= kMostAtCorner;
+    return ends || !fits ? HoleRing{} : patch;
 }
 
 bool remeshAroundCorner(const PointSet& points, RepairState& m, Index corner) {
@@ -55,8 +59,9 @@ std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& m)
     for (; m.next < m.triangles.size(); ++m.next) {
         if (!isFaulty(points, m, m.next)) continue;
         const Triangle faulty = m.triangles[m.next];
-        const bool isLast = m.round == kSettlingRound;
-        if (!remeshAround(points, m, m.next) && !(isLast && remeshAroundCorners(points, m, faulty)))
+        const bool isSettling = m.round == kSettlingRound;
+        if (!remeshAround(points, m, m.next) &&
+            !(isSettling && remeshAroundCorners(points, m, faulty)))
             continue;
         ++m.remeshed;
         ++m.next;
