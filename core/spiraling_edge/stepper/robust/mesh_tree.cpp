@@ -54,14 +54,14 @@ MeshTree::Bounds MeshTree::Node::all() const {
 
 namespace {
 
-constexpr std::size_t kPerThread = 1 << 12;
+constexpr std::size_t kTrianglesPerThread = 1 << 12;
 /// Levels above the leaves, of 2^32 triangles.
 constexpr std::size_t kMaxLevels = 16;
 
 /// The middle of the box of each triangle.
 std::vector<Vec3> middlesOf(const PointSet& points, std::span<const Triangle> triangles) {
     std::vector<Vec3> middles(triangles.size());
-    forEachItem(triangles.size(), 0, kPerThread, [&](std::size_t i) {
+    forEachItem(triangles.size(), 0, kTrianglesPerThread, [&](std::size_t i) {
         const Box box = boxOf(points, triangles[i]);
         middles[i] = 0.5 * (box.low + box.high);
     });
@@ -87,7 +87,7 @@ MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
     const std::size_t leaves = std::max<std::size_t>(1, (order.size() + kWidth - 1) / kWidth);
     nodes_.reserve(leaves + leaves / (kWidth - 1) + kMaxLevels);
     nodes_.resize(leaves);
-    forEachItem(leaves, 0, kPerThread / kWidth, [&](std::size_t leaf) {
+    forEachItem(leaves, 0, kTrianglesPerThread / kWidth, [&](std::size_t leaf) {
         const std::size_t first = kWidth * leaf;
         for (std::size_t i = first; i < std::min(first + kWidth, order.size()); ++i) {
             const Index t = order[i];

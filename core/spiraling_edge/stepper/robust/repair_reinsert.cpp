@@ -409,7 +409,7 @@ bool isWithinReach(const PointSet& points, const RepairState& m, Index x) {
 }
 
 /// Number of triangles that are replaced at once by others around a point.
-constexpr std::size_t kPatchSizes[] = {6};
+constexpr std::size_t kAroundPoint[] = {6};
 
 /// Replaces the triangles about one that is near the point by others between their points and this
 /// one, of which none has a fault. The number of those replaced, 0 if there is no such place.
@@ -417,7 +417,7 @@ Index putInPatch(const PointSet& points, RepairState& m, Index x) {
     for (const Index t : nearestListed(points, m, x, kNearest)) {
         HoleRing patch = patchOf(m, t);
         patch.inside = x;
-        const Index replaced = replacePatch(points, m, patch, kPatchSizes);
+        const Index replaced = replacePatch(points, m, patch, kAroundPoint);
         if (replaced > 0) return replaced;
     }
     return 0;
