@@ -12,7 +12,6 @@
 #include <numeric>
 #include <string>
 #include <unordered_map>
-#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/rank_sort.h"
@@ -273,10 +272,12 @@ class RangeSearch {
     void runInto(std::span<const Vec3> normal, const ListRule& rule, NeighborLists& lists) {
         run(normal, rule);
         writeLists(lists);
-        entries_ = std::exchange(found_, {}).size();
+        found_ = {};
     }
 
-    std::size_t entries() const { return std::max(entries_, found_.size()); }
+    std::size_t entries() const {
+        return std::accumulate(length_.begin(), length_.end(), std::size_t{0});
+    }
     /// Writes the length of each list one position after its point, for partial sums.
     void writeLengths(std::vector<std::uint32_t>& offset) const {
         for (std::size_t i = 0; i < length_.size(); ++i)
@@ -299,7 +300,6 @@ class RangeSearch {
     std::span<const PointBlocks::Node* const> groups_;
     std::vector<Index> found_;           // all lists, in the order of slots, until they are moved
     std::vector<std::uint32_t> length_;  // of each
-    std::size_t entries_ = 0;            // that were moved
 };
 
 /// Splits the points into ranges, and these over threads. Every list is found independently, so

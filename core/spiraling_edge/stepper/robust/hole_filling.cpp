@@ -7,6 +7,16 @@
 
 namespace se {
 
+namespace {
+
+/// The same triangle, from its first place on.
+RingTriangle fromLeastPlace(RingTriangle t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+}
+
+}  // namespace
+
 /// The best filling of each part of the ring, from one place to another, counted from `first` on.
 template <typename Goal>
 class FillingTable {
@@ -77,9 +87,7 @@ class FillingTable {
     std::size_t placeOf(std::size_t i) const { return i < count_ ? (first_ + i) % count_ : i; }
     /// From the first of them on the ring.
     RingTriangle placesOf(std::size_t i, std::size_t j, std::size_t k) const {
-        RingTriangle t{placeOf(i), placeOf(j), placeOf(k)};
-        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        return t;
+        return fromLeastPlace({placeOf(i), placeOf(j), placeOf(k)});
     }
     Triangle triangle(std::size_t i, std::size_t j, std::size_t k) const {
         return search_.triangle({placeOf(i), placeOf(j), placeOf(k)});
@@ -203,14 +211,9 @@ bool FillingSearch::anyThird(std::size_t side, Visit&& visit) {
     const std::size_t next = (side + 1) % ring_.size();
     for (std::size_t third = 0; third < ring_.size(); ++third) {
         if (third == side || third == next) continue;
-        RingTriangle t{side, next, third};
-        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        if (visit(t)) return true;
+        if (visit(fromLeastPlace({side, next, third}))) return true;
     }
-    if (ring_.inside == kNone) return false;
-    RingTriangle t{side, next, ring_.size()};
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    return visit(t);
+    return ring_.inside != kNone && visit(fromLeastPlace({side, next, ring_.size()}));
 }
 
 /// True if every triangle at a side has a fault.

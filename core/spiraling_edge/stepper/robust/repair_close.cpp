@@ -204,8 +204,7 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
             ++m.takenOut;
         }
         ++m.closedHoles;
-        const auto isPinched = [&](Index p) { return m.pinched[p]; };
-        if (std::any_of(ring.points.begin(), ring.points.end(), isPinched)) listPinched(m);
+        if (isAnyPinched(m, ring.points)) listPinched(m);
         return evidence;
     }
     return std::nullopt;

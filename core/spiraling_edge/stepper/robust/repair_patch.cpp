@@ -177,10 +177,8 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
         std::vector<Index> patch = smallComponentFrom(m, m.next);
         if (patch.empty()) continue;
         const std::vector<Index> corners = cornersOf(m, patch);
-        const bool pinched =
-            std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
         const double reach = reachOf(points, m, patch);
-        if (pinched || !isBesideLarger(points, m, corners, reach)) continue;
+        if (isAnyPinched(m, corners) || !isBesideLarger(points, m, corners, reach)) continue;
         for (const Index p : corners) m.sideOf.set(p, kNone);
         const DropPatchEvidence evidence{corners.front(), static_cast<Index>(patch.size())};
         dropTriangles(m, std::move(patch));

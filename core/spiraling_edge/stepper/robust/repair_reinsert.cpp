@@ -6,7 +6,7 @@
 /// From kSettlingRound on, a point without such a place is put inside a patch, which is filled
 /// around it. At the end, a point that fits nowhere without a fault takes the place where the new
 /// triangles have at most one fault more than those they replace, since the point itself, in no
-/// triangle, is one. Of several places the one with the fewest faults is taken, then the one with
+/// triangle, is one. Of several places the one with the isEarly faults is taken, then the one with
 /// the best angles. A new triangle is never flipped.
 #include <algorithm>
 #include <array>
@@ -141,7 +141,7 @@ std::vector<Index> trianglesListed(const PointSet& points, const RepairState& m,
     return found;
 }
 
-/// Those of them that are nearest to x, in this order, at most so many.
+/// Those of them that are nearest to x, in this order, at most `most`.
 std::vector<Index> nearestListed(const PointSet& points, const RepairState& m, Index x,
                                  std::size_t most) {
     const Vec3& place = points.position[x];
@@ -189,7 +189,9 @@ constexpr std::size_t kMaxCheapMade = 120;
 /// Finds the best place for one point.
 class PlaceSearch {
   public:
-    PlaceSearch(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {}
+    /// `near`: the triangles to begin at, in this order. They must outlive the search.
+    PlaceSearch(const PointSet& points, RepairState& m, Index x, std::span<const Index> near)
+        : points_(points), m_(m), x_(x), near_(near) {}
 
     /// The place without a fault that has the best angles.
     std::optional<Change> find() {
@@ -205,7 +207,7 @@ class PlaceSearch {
         }
         return best_;
     }
-    /// The place that adds the fewest faults, of equal ones that with the best angles.
+    /// The place that adds the isEarly faults, of equal ones that with the best angles.
     std::optional<Change> findCheapest() {
         forEachPlace([&](const Change& place) { countFaults(place); });
         return best_;
@@ -216,8 +218,7 @@ class PlaceSearch {
     /// there; the nearest first.
     template <typename Visit>
     void forEachPlace(Visit&& visit) {
-        const std::size_t most = m_.round < kSettlingRound ? kNearest : m_.triangles.size();
-        for (const Index t : nearestListed(points_, m_, x_, most)) {
+        for (const Index t : near_) {
             Change inside(m_, x_);
             inside.replace(t);
             visit(inside);
@@ -229,6 +230,7 @@ class PlaceSearch {
             }
         }
     }
+
     // What is known of new triangles:
 
     /// The reference stays valid.
@@ -298,7 +300,7 @@ class PlaceSearch {
         return k < i;
     }
 
-    // With the fewest faults:
+    // With the isEarly faults:
 
     /// The faults of the triangles that a place replaces.
     int faultsOfGone(const Change& place) {
@@ -380,6 +382,7 @@ class PlaceSearch {
     const PointSet& points_;
     RepairState& m_;
     Index x_;
+    std::span<const Index> near_;
     std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
     std::unordered_map<Index, std::vector<Index>> old_;    ///< Conflicts of old triangles.
     std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
@@ -413,8 +416,8 @@ constexpr std::size_t kAroundPoint[] = {6};
 
 /// Replaces the triangles about one that is near the point by others between their points and this
 /// one, of which none has a fault. The number of those replaced, 0 if there is no such place.
-Index putInPatch(const PointSet& points, RepairState& m, Index x) {
-    for (const Index t : nearestListed(points, m, x, kNearest)) {
+Index putInPatch(const PointSet& points, RepairState& m, Index x, std::span<const Index> near) {
+    for (const Index t : near.first(std::min(near.size(), kNearest))) {
         HoleRing patch = patchOf(m, t);
         patch.inside = x;
         const Index replaced = replacePatch(points, m, patch, kAroundPoint);
@@ -426,14 +429,17 @@ Index putInPatch(const PointSet& points, RepairState& m, Index x) {
 /// Puts a point in, without a fault or at the price of one. The number of triangles that it takes
 /// the place of; nothing if there is no place.
 std::optional<Index> putIn(const PointSet& points, RepairState& m, Index x, bool atPrice) {
-    PlaceSearch search(points, m, x);
+    const bool isEarly = m.round < kSettlingRound;
+    const std::vector<Index> near =
+        nearestListed(points, m, x, isEarly ? kNearest : m.triangles.size());
+    PlaceSearch search(points, m, x, near);
     const std::optional<Change> change = atPrice ? search.findCheapest() : search.find();
     if (change) {
         change->apply(m);
         return static_cast<Index>(change->gone().size());
     }
-    if (atPrice || m.round < kSettlingRound) return std::nullopt;
-    const Index replaced = putInPatch(points, m, x);
+    if (atPrice || isEarly) return std::nullopt;
+    const Index replaced = putInPatch(points, m, x, near);
     return replaced > 0 ? std::optional(replaced) : std::nullopt;
 }
 

@@ -15,10 +15,6 @@ constexpr std::size_t kBeyondCorner = 6;
 /// The search takes O(n^4) for a ring of n points, so that corners of more triangles are left.
 constexpr std::size_t kMostAtCorner = 24;
 
-bool isAnyPinched(const RepairState& m, std::span<const Index> points) {
-    return std::any_of(points.begin(), points.end(), [&](Index p) { return m.pinched[p] != 0; });
-}
-
 bool remeshAround(const PointSet& points, RepairState& m, Index t) {
     HoleRing patch = patchOf(m, t);
     return !isAnyPinched(m, patch.points) && replacePatch(points, m, patch, kPatchSizes) > 0;

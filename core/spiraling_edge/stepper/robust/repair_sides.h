@@ -76,6 +76,10 @@ inline std::span<const PinchedSide> sidesOfPinched(const RepairState& m, Index p
     return {all.data() + (first - all.begin()), static_cast<std::size_t>(end - first)};
 }
 
+inline bool isAnyPinched(const RepairState& m, std::span<const Index> points) {
+    return std::any_of(points.begin(), points.end(), [&](Index p) { return m.pinched[p] != 0; });
+}
+
 /// The corners of these triangles, ascending.
 std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list);
 
