@@ -39,7 +39,7 @@ Json fieldsOf(const CLI::Option& option) {
     return fields;
 }
 
-/// Those of the groups within `app` as well.
+/// Adds the options of `app`, and of the groups within it.
 void addOptions(const CLI::App& app, Json& list) {
     for (const CLI::Option* each : app.get_options()) {
         if (each->get_group().empty()) continue;

@@ -11,7 +11,7 @@
 
 namespace se {
 
-/// Options bound to a command line; in place as long as that is parsed.
+/// Options bound to a command line. Must outlive the parsing, and is never copied.
 class SpecOptions {
   public:
     SpecOptions() = default;
@@ -20,7 +20,7 @@ class SpecOptions {
 
     /// Adds the options of these groups, in the order of the table.
     void addTo(CLI::App& app, std::initializer_list<SpecGroup> groups);
-    /// Adds that of one field.
+    /// Adds the option of one field.
     void addTo(CLI::App& app, const SpecField& field);
 
     /// What was given, in the order of the table.

@@ -33,12 +33,12 @@ struct PreparedRun {
     Params params;
 };
 
-/// Prepares points of `source` for a run of `spec` on them. Fails as
+/// Prepares the points of `file`, which was read from `source`, for a run by `spec`. Fails as
 /// prepare(), if there is no such set or rule, or if a what-if has no effect.
 Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source, RunSpec spec);
 
-/// Moves `cursor` to an address, a share such as "50%", or "0", the start. Otherwise a sentence
-/// such as "pivot 9 has 4 decisions of sphere, not 5"; the cursor stays.
+/// Moves `cursor` to an address, a share such as "50%", or "0", the start. Fails with a sentence
+/// such as "pivot 9 has 4 decisions of sphere, not 5"; then the cursor stays.
 Status goToPlace(RunCursor& cursor, std::string_view place);
 
 /// The runs of one lesson.

@@ -274,8 +274,8 @@ void Application::moveCamera() {
     if (follows) closeUp_ = camera_.revision();
 }
 
-/// The end of a run whose decisions were seen from near, where the camera followed them there and
-/// nothing else has moved it since: all of the mesh.
+/// Moves back to all of the mesh at the end of a run, if the camera was led close to a decision and
+/// nothing else has moved it since.
 void Application::showFinishedMesh() {
     const bool near =
         closeUp_ == camera_.revision() && followed_.generation == session_.generation();

@@ -55,8 +55,8 @@ class Application {
     void buttonPressed(glm::vec2 pointer) { ui_.viewDrag.press(pointer); }
     /// Files from the desktop: the first is opened; a notice reports the others.
     void drop(const std::vector<std::string>& paths);
-    /// The window is to be closed: at once, or after a question.
     const Document& document() const { return document_; }
+    /// The window is to be closed: at once, or after a question.
     void requestQuit() { document_.quit(); }
     /// Takes the results of the threads, or without threads does some of their work. To be called
     /// once before each frame. True if there is something new to draw.

@@ -44,7 +44,7 @@ std::string listOf(std::string text, std::string_view prefix, const Rows& rows, 
     return text;
 }
 
-/// Those of `spiraling-edge export`, which hands over to this program.
+/// Options of `spiraling-edge export`, which hands over to this program.
 struct RawExport {
     std::string path;
     std::string from;
@@ -69,7 +69,7 @@ void requireExport(const CLI::App& app, const RawExport& raw) {
     }
 }
 
-/// The program has neither frames nor links to a program elsewhere.
+/// Throws if options of frames or of their links are given with --app.
 void requireNoFrames(const CLI::App& app) {
     for (const char* name :
          {"--from", "--around", "--lesson-steps", "--captions", "--fps", "--dial", "--size",
@@ -83,7 +83,7 @@ void requireNoFrames(const CLI::App& app) {
         throw CLI::ValidationError("--viewer", "is for pages of frames; --app writes the program");
 }
 
-/// Throws unless links of the page can lead there.
+/// Throws if --viewer is given for another format than a page, or is no address for links.
 void requireViewer(const CLI::App& app, const RawExport& raw) {
     if (app.count("--viewer") > 0 && lowerExtension(raw.path) != ".html")
         throw CLI::ValidationError("--viewer", "is for pages; name a file that ends in .html");
@@ -410,7 +410,7 @@ Status adoptLesson(Options& o, int& code) {
 }
 
 Status adoptLesson(Options& o) {
-    // Of an export the lesson is read with its order.
+    // For an export the lesson is read with its order.
     if (o.exported || !isLesson(o.input.source)) return success();
     o.lesson = std::exchange(o.input.source, {});
     if (isLessonFile(o.lesson)) o.lesson = wholePath(o.lesson);

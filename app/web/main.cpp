@@ -34,9 +34,9 @@ struct Program {
     ViewSettings kept;
     std::unique_ptr<Window> window;
     std::unique_ptr<Application> application;
-    // As the page has them.
+    // Values last sent to the page.
     std::string answers;  ///< To the questions of the lesson.
-    std::string notice;   ///< What the program last said beside its sentences.
+    std::string notice;   ///< Shown beside the sentences of steps.
 
     UiState& ui() { return application->context().ui; }
 };

@@ -38,7 +38,7 @@ void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer);
 Json inputFactsJson(const InputFacts& facts);
 /// "12345 of 1000000 points: crop, thin 0.5, scale 1,1,0.001"; empty for a whole file as it is.
 std::string keptSentence(const InputPiece& read);
-/// The same with the box; null for a whole file.
+/// The content of keptSentence() as JSON, with the box; null for a whole file.
 Json keptJson(const InputPiece& read);
 /// The notes of a reader, each on a line of its own under "read".
 void addNotes(const std::vector<std::string>& notes, Answer& answer);

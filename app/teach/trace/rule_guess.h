@@ -18,8 +18,8 @@ std::vector<RuleValue> singleSettings(const Params& base);
 struct RuleGuess {
     /// Under each of these alone a run gives the whole trace.
     std::vector<RuleValue> whole;
-    /// Without any: that under which a run goes along with the trace for longest, if that is longer
-    /// than under `base`.
+    /// If `whole` is empty: the setting under which a run agrees with the trace for longest, if
+    /// that is longer than under `base`.
     std::optional<RuleValue> nearest;
     std::size_t alike = 0;  ///< Pivots, with `nearest`.
 };

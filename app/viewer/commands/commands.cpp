@@ -609,9 +609,8 @@ PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
     return {PaletteEntry::Kind::Scene, scene.title, "Scene", synonyms, scene.id, scene.watch};
 }
 
-/// Whether a word of the text begins with `start`. Words are letters and digits, separated by all
+/// Whether a word of the text begins with `start`. Words consist of letters and digits.
 bool hasWordStart(std::string_view text, std::string_view start) {
-    /// else.
     const auto isInner = [](char sign) {
         return (sign >= 'a' && sign <= 'z') || (sign >= '0' && sign <= '9');
     };

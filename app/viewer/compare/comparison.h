@@ -137,7 +137,7 @@ class Comparison {
     TracePosition tracePosition(const Session& run) const;
     /// Null until it is known.
     const Compared* result() const { return result_.get(); }
-    /// The same, for callers that keep it while another comparison may begin.
+    /// Shared ownership of result(), for callers that keep it while another comparison may begin.
     const std::shared_ptr<const Compared>& sharedResult() const { return result_; }
     /// Grows with every new result.
     std::uint32_t revision() const { return revision_; }

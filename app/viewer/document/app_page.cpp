@@ -150,7 +150,7 @@ Result<PageContent> ofRun(const Options& o) {
     return content;
 }
 
-/// Puts a text in place of the one that stands once.
+/// Replaces the only occurrence of a text. False if there is none.
 bool replace(std::string& page, std::string_view old, const std::string& text) {
     const std::size_t at = page.find(old);
     if (at != std::string::npos) page.replace(at, old.size(), text);

@@ -28,7 +28,7 @@ struct CommandContext {
     MeshSaving& mesh;
     NewPoints& sampling;
 
-    /// The same for another run, or seen by another camera.
+    /// This context with another run, or with another camera.
     CommandContext of(Session& run, Camera& seenBy) const {
         return {run, playback, seenBy, ui, document, history, lesson, compare, mesh, sampling};
     }

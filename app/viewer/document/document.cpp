@@ -73,7 +73,8 @@ void Document::begin(const Options& options) {
     c_.session.open(options.input);
 }
 
-/// At what is named to be shown; without it a scene opens at its decision.
+/// Sets the position, camera and state that the options name. Without any of them a scene opens at
+/// its decision.
 void Document::aimAt(const LinkOptions& named) {
     if (!named.goTo.empty()) {
         arrival_.goTo = named.goTo;

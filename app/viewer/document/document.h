@@ -34,9 +34,10 @@ class Document {
     /// `resetLayout` the layout is the default.
     void keepIn(const std::filesystem::path& path, bool resetLayout);
 
-    // What the user does. What has unsaved annotations or settings is left after a question only.
+    // Actions of the user. An input with unsaved annotations or settings is left only after a
+    // question.
     /// Opens a point file, `scene:ID`, the line of a SampleSpec, a session file or a lesson; for a
-    /// volume the page with new points. `notice`: said on arrival.
+    /// volume the page with new points. `notice`: shown on arrival.
     void open(const std::string& source, const std::string& notice = {});
     /// Opens an input with its options: the current one prepared in another way, or points that
     /// were sampled here and are shown already.
@@ -72,7 +73,7 @@ class Document {
     void note(const std::string& file);
     /// State that survives a restart.
     const KeptFile& kept() const { return kept_; }
-    /// Changes that file. A failure is said.
+    /// Changes that file. A failure is shown as a message.
     void keep(const std::function<void(KeptState&)>& change);
     /// Goes to the requested position as soon as the requested input is open.
     void poll();
@@ -94,13 +95,13 @@ class Document {
     std::string atStake() const;
     /// Takes layout, colors and styles that a link names.
     void applyLooks(const Options& link);
-    /// Those that were taken last. They are the link's: settings are kept without them.
+    /// The looks of the last link. They belong to the link and are not stored in the settings.
     const Looks& linkedLooks() const { return linkedLooks_; }
     /// Says so once the open run ends in another state than the one of a link.
     void expectEnd(std::optional<std::uint64_t> stateHash);
     /// Seconds in which the newly opened input is to be played, once; 0: it is not.
     double takePlay() { return arrival_.pending ? 0.0 : std::exchange(arrival_.play, 0.0); }
-    /// The settings of the run are saved: with its mesh, say.
+    /// Marks the settings of the run as saved, for example with its mesh.
     void keepSettings();
     /// Shows the queued notices.
     void warn();

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Series, captioned, transparent.
+// The three flags: series, captioned, transparent.
 constexpr std::array kFormats{
     ExportFormat{".png", "Picture", FrameContent::Pixels, false, false, true, success,
                  openPngWriter},

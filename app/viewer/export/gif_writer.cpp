@@ -34,7 +34,7 @@ class PaletteBuilder {
             bytes_.push_back(
                 static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(each, 0.0F, 1.0F))));
     }
-    /// From the first color, without it, to the second.
+    /// Adds the blends from the first color, itself left out, to the second.
     void addBlends(const Color& from, const Color& to, int count) {
         for (int i = 1; i <= count; ++i)
             add(mix(from, to, static_cast<float>(i) / static_cast<float>(count)));

@@ -154,7 +154,7 @@ class Mp4Writer : public FrameWriter {
         return named(process_.start(
             {kFfmpeg, "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
              "-s", size, "-r", fmt::format("{}", target_.perSecond), "-i", "pipe:0",
-             // Rows come from the bottom up; the format takes even sizes alone.
+             // Rows come from the bottom up, and the format needs even sizes.
              "-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18",
              "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", video_.path()}));
     }

@@ -15,7 +15,7 @@ namespace se::view {
 
 namespace {
 
-// Those of render/renderer.cpp.
+// Equal to those of render/renderer.cpp.
 constexpr float kHiddenAlpha = 0.34F;
 constexpr float kHiddenDashEms = 0.4F;
 constexpr float kTowardEye = 0.12F;
@@ -172,7 +172,7 @@ void drawSvgLayers(SvgCanvas& canvas) {
 
 namespace {
 
-// Those of render/surface.cpp.
+// Equal to those of render/surface.cpp.
 constexpr float kMarkBias = 0.12F;
 constexpr float kSolidDots = 0.8F;
 constexpr float kLeastAlpha = 0.02F;

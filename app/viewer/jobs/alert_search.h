@@ -43,8 +43,8 @@ class RunAlerts {
     /// Starts the search for all failures of the run, unless it was done or the user has stopped
     /// it. `end`: of the run; null if it could not be made.
     void start(std::shared_ptr<const RunEnd> end = nullptr);
-    /// Whether failures are followed to their causes, as lists of them need; where they are is
-    /// found in a fraction of the time.
+    /// Whether failures are followed to their causes, as lists of them need. Without that, only
+    /// their places are found, in a fraction of the time.
     void setFollows(bool on) { follows_ = on; }
     /// Stops the search at the user's request.
     void stop();

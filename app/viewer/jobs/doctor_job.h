@@ -44,7 +44,7 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
 };
 
 /// Points of a finding that are highlighted: all, or evenly chosen ones if there are more than
-/// `most`; none that cannot be drawn.
+/// `limit`; none that cannot be drawn.
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding,
                                 std::size_t limit = 2000);
 

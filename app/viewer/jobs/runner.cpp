@@ -189,7 +189,7 @@ void Runner::make(const CancelFlag& ending) {
     noteEnd();
     madeLast_ = Clock::now();
     handOver();
-    // The edited mesh is left, which takes as much memory as the run.
+    // Leaves the edited mesh, which takes as much memory as the run.
     if (made_) timeline_.seek(servedAt_);
 }
 

@@ -41,7 +41,7 @@ const Color& verdictColor(Verdict verdict, const Palette& palette);
 /// Labels a place with the words of a verdict.
 void addVerdict(Verdict verdict, const glm::vec3& at, const Palette& palette, DrawList& out);
 
-/// An arc on a disc, `degrees` wide at most 360.
+/// An arc on a disc, from one angle to another in degrees, at most a full turn.
 struct Arc {
     double from = 0.0;
     double to = 0.0;

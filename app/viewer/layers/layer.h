@@ -35,12 +35,12 @@ struct LayerInput {
     Index selected = kNone;
     Index highlightedRing = kNone;
     Index hovered = kNone;
-    /// Overview of the run so far; for layers beyond the pivot's surroundings.
+    /// Triangles of the run so far; for layers beyond the pivot's surroundings.
     std::span<const Triangle> triangles = {};
     std::size_t componentBegin = 0;  ///< The first triangle of the current component.
     /// The component that is complete here; null if unknown.
     const ComponentShape* component = nullptr;
-    Selection selection{};  ///< The selected edge or triangle as well.
+    Selection selection{};  ///< A point, an edge or a triangle.
     bool selectionPresent = true;
     MeshColoring mesh{};
     std::span<const Index> marked{};              ///< Points that are highlighted,

@@ -22,7 +22,7 @@ struct QuestionState {
     teach::Answer given;  ///< Answer read from `typed`.
     teach::MoveKind move = teach::MoveKind::MoveStart;  ///< The next one by a click.
     std::string complaint;   ///< Why `typed` cannot be read; empty: it can.
-    std::vector<int> hands;  ///< Of a room: how many chose each option.
+    std::vector<int> hands;  ///< Raised by people in a room, per option.
     std::size_t tries = 0;
     double seconds = 0.0;               ///< For which the question was open, until the last try.
     std::optional<teach::Grade> grade;  ///< Of the last try; nothing before the first.

@@ -25,7 +25,7 @@ struct Ink {
         faint.color.a = faint.other.a = alpha;
         return faint;
     }
-    /// The same for a line of that width; 0: for an area.
+    /// This color for a line of that width; 0: for an area.
     Ink line(float pixels) const {
         Ink line = *this;
         line.width = pixels;

@@ -13,7 +13,7 @@ void drawShape(Painter& painter, glm::vec2 center, float size, Shape shape, cons
 
 /// Draws the sign of the active ring, thick, from the middle of its left end; `em`: its scale.
 void drawActiveRing(Painter& painter, glm::vec2 left, float em, const Ink& ink);
-/// The same of a ring that waits, in dashes.
+/// Draws the sign of a ring on the stack, dashed.
 void drawWaitingRing(Painter& painter, glm::vec2 left, float em, const Ink& ink);
 
 }  // namespace se::view

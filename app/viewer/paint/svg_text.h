@@ -83,7 +83,7 @@ class SvgPainter : public Painter {
     void circle(glm::vec2 center, float radius, const Ink& ink) override;
     void arc(glm::vec2 center, float radius, double from, double to, const Ink& ink) override;
     void text(glm::vec2 at, const std::string& words, const Ink& ink, const Type& type) override;
-    /// About that of most fonts: the program that shows the file chooses one.
+    /// An estimate for most fonts: the program that shows the file chooses one.
     glm::vec2 textSize(const std::string& words, const Type& type) const override;
     void setPoint(Index point) override;
     /// Attributes of all that is drawn from now on, beside that of setPoint().
@@ -101,7 +101,7 @@ class SvgPainter : public Painter {
     void addPath(const std::string& attributes, std::string_view data);
     /// Class, width and opacity of an ink, as attributes.
     std::string attributesOf(const Ink& ink);
-    /// The same of an area with an outline.
+    /// Class, width and opacity of an area with an outline, as attributes.
     std::string attributesOf(const Ink& area, const Ink& edge);
     /// Elements so far.
     std::size_t count() const { return count_; }

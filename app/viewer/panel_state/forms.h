@@ -73,7 +73,8 @@ struct PrepareForm {
     bool rim = false;
     bool keepNoise = false;
     bool keepStrays = false;
-    /// What the rules of the input said of these three: what is not changed stays theirs.
+    /// keepOpposing, keepNoise and keepStrays by the rules of the input. A field that the user has
+    /// not changed leaves its rule as it is.
     std::array<bool, 3> kept{};
     std::string complaint;
 

@@ -113,7 +113,7 @@ struct WatchPanel {
 /// A list of decisions that follows the cursor.
 struct LineList {
     CursorWatch watch;
-    const void* answer = nullptr;  ///< Line that was drawn last.
+    const void* answer = nullptr;  ///< Lines that were drawn last; only compared.
     int settling = 0;              ///< Frames without scrolling to the cursor.
 };
 

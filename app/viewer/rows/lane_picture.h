@@ -14,8 +14,8 @@
 
 namespace se::view {
 
-/// The part of the run that the strip shows: pivots from() to to(), of `last` in all; both may lie
-/// between two pivots.
+/// The part of the run that the strip shows: pivots from() to to(), of 0 to last(). Both ends may
+/// lie between two pivots.
 class StripWindow {
   public:
     /// Minimum number of pivots that are shown.

@@ -1,5 +1,5 @@
-// The events of one pivot at a time, while the run is made. Each pivot is reduced to 16
-// bytes (a bit per stage and verdict, and counts), by which the filter of the tree can test it
+// Takes the events of one pivot at a time, while the run is made. Each pivot is reduced to at most
+// 24 bytes (a bit per stage and verdict, and counts), by which the filter of the tree can test it
 // without running it again. The thread hands over what is new in batches; append() adds them to
 // the lists of the window.
 #include "overview.h"

@@ -56,8 +56,7 @@ inline Findings findingOf(Verdict verdict) {
     return Findings().set(kStageCount + static_cast<std::size_t>(verdict));
 }
 
-/// Summary of a pivot, available without running it again: 16 bytes, or 24 with more than 64
-/// stages and verdicts.
+/// Summary of a pivot, available without running it again. At most 24 bytes.
 struct PivotSummary {
     Findings found;
     Index point = kNone;

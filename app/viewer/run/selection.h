@@ -17,15 +17,15 @@ struct Selection {
     std::array<Index, 3> points{kNone, kNone, kNone};
 
     static Selection ofPoint(Index point);
-    /// Equality without regard to the direction.
+    /// The edge between two points, in either direction.
     static Selection ofEdge(Index a, Index b);
-    /// Equality without regard to the first corner, but with regard to the orientation.
+    /// A triangle; those with the same corners and orientation are equal, whatever corner is first.
     static Selection ofTriangle(const Triangle& triangle);
 
     /// One point, an edge of two or a triangle of three; nothing of any other number.
     static Selection of(std::span<const Index> points);
 
-    /// Number of points of a kind.
+    /// The points of the selection; none if nothing is selected.
     std::span<const Index> corners() const;
     Triangle triangle() const { return {points[0], points[1], points[2]}; }
     friend bool operator==(const Selection&, const Selection&) = default;

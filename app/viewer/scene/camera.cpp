@@ -148,8 +148,8 @@ Apex apexOf(std::span<const glm::vec2> places, const Wedge& wedge) {
     return {high - distance * wedge.high, distance};
 }
 
-/// Where the eye is, across, that sees positions in the middle of the part about `center`, no wider
-/// than `half`, from that distance.
+/// Position across of the eye that, from that distance, sees the positions in the middle of the
+/// part about `center`; they span at most `half` to either side.
 float centeredAt(std::span<const glm::vec2> places, float center, float half, float distance) {
     float least = 0.0F;
     for (int i = 0; i < kHalvings; ++i) {

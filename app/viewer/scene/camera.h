@@ -70,9 +70,9 @@ class Camera {
     /// Zooms by `notches` of the wheel, so that the point under `ndc` (in [-1, 1], y up) stays
     /// there.
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
-    /// Brings the picture of positions to the middle of that part of the view, where it fills that
-    /// share in one direction, at most in the other. The direction stays. No effect without
-    /// positions.
+    /// Brings the picture of positions to the middle of that part of the view. It fills `share` of
+    /// the part in one direction, and at most that in the other. The direction of the camera stays.
+    /// No effect without positions.
     void fill(std::span<const glm::vec3> places, const ViewPart& part, float share);
     /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.

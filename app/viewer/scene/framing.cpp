@@ -67,8 +67,8 @@ std::optional<glm::vec3> leastAxis(std::span<const glm::vec3> places) {
 
 /// The end of an axis to look from, in the frame of the camera: the one that more points face,
 /// which is the outer side of an open surface, and the side with more relief of a closed one. A
-/// steep axis is seen from above unless the surface is open; where as many face both ends, the
-/// upper one is, or the front.
+/// steep axis is seen from above unless the surface is open. Where about as many points face either
+/// end, it is the upper end, or the one in front.
 glm::vec3 endToSee(const Model& model, const glm::vec3& axis, const Camera& camera) {
     std::ptrdiff_t more = 0;
     for (const glm::vec3& normal : model.normal) {

@@ -27,8 +27,8 @@ void framePlaces(std::vector<glm::vec3> places, float least, const ViewPart& par
                  Camera& camera);
 /// All of a model. The direction stays.
 void frameModel(const Model& model, const ViewPart& part, Camera& camera);
-/// All of a model, broadside: its least extent points to the eye, as far as it can from above,
-/// upright and not too steeply; of both sides that which more points face. What is as thick as wide
+/// All of a model, broadside and upright: the eye looks along its least extent, from above but not
+/// too steeply. Of the two sides it shows the one that more points face. A model as thick as wide
 /// is seen from the front, right and above.
 void showBroadside(const Model& model, const ViewPart& part, Camera& camera);
 /// A fault, finding or difference: its points, straight from the side to which most of them face;

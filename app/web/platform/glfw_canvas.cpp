@@ -1,5 +1,5 @@
-// The part of GLFW that the window and Dear ImGui's backend call, on the canvas of a page: the
-// window is the program as it is. page/input.js listens to the page and calls the functions at the
+// The part of GLFW that the window and Dear ImGui's backend call, on the canvas of a page, so that
+// window.cpp is built unchanged. page/input.js listens to the page and calls the functions at the
 // end, which take pixels of the screen, numbers of GLFW's keys and buttons, and its bits of
 // modifiers.
 #include <GLFW/glfw3.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// The one window: what the page last said of itself, and whom to tell.
+/// The only window: the state that the page last reported, and the callbacks.
 struct GLFWwindow {
     int width = 1280;
     int height = 800;

@@ -17,7 +17,7 @@ namespace {
 struct DocumentApp : test::HeadlessApp {
     DocumentApp() : test::HeadlessApp("document-test") {}
     void open(const std::string& path) { openInstead(path); }
-    /// As a lesson does, without a question.
+    /// Opens an input as a lesson does: without asking about unsaved work.
     void openBeside(const std::string& source) {
         document.openStep(RunSpec{source}, "");
         waitUntilDone();

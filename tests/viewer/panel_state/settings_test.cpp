@@ -126,7 +126,8 @@ class KeptFolder {
         return readText(file(name)).value_or("none");
     }
     json content() const { return json::parse(text()); }
-    /// As a run of the window does that changes the width.
+    /// Writes another width, as the window does at its end. Returns the first complaint about the
+    /// old file.
     std::string runWindow(int width) const {
         const ViewSettings before = readSettings(file());
         ViewSettings settings = before;

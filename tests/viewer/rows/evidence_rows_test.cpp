@@ -58,7 +58,7 @@ bool hasMinusZero(const std::string& text) {
     return false;
 }
 
-/// Rows required for every event of a stage, by the table of the design.
+/// Rows required for every event of a stage.
 const std::map<Stage, std::vector<std::string>>& wanted() {
     static const std::map<Stage, std::vector<std::string>> kWanted = {
         {Stage::Seed, {"start point", "its neighbor", "distance"}},

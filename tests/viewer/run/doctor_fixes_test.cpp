@@ -18,7 +18,7 @@ namespace {
 
 PointFile sphereFile() { return findScene("sphere")->build(); }
 
-/// With a copy of point 3 at the end, two zero normals, and a patch that points inwards.
+/// A sphere with a copy of point 3 at the end, two zero normals, and a patch that points inwards.
 PointFile flawed() {
     PointFile file = sphereFile();
     file.neighbors = {};

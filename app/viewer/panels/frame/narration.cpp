@@ -34,7 +34,7 @@ struct Paragraph {
     Color color;
 };
 
-/// Without line breaks and blanks at the end.
+/// The text without line breaks and blanks at its end.
 std::string withoutLastBreaks(std::string text) {
     text.erase(text.find_last_not_of(" \t\n") + 1);
     return trimmed(text);
@@ -74,13 +74,13 @@ float heightOf(const std::vector<Paragraph>& paragraphs, float width) {
            static_cast<float>(paragraphs.size()) * ImGui::GetStyle().ItemSpacing.y;
 }
 
-/// The step of a lesson is the caption.
+/// True where the step of a lesson is the caption.
 bool showsLessonCaption(const PanelContext& context) {
     return context.rects.layoutPreset == LayoutPreset::Present &&
            context.state<LessonPanel>().walk.isOpen();
 }
 
-/// Draws it, with the decision at the cursor below it. Requires showsLessonCaption().
+/// Draws the step, with the decision at the cursor below it. Requires showsLessonCaption().
 void drawLessonCaption(const PanelContext& context, const std::string& decision) {
     LessonPanel& panel = context.state<LessonPanel>();
     const LessonWalk& walk = panel.walk;
@@ -123,7 +123,8 @@ struct Caption {
     bool cut = false;  ///< The tooltip has all of the text.
 };
 
-/// Too long even in the smallest type: whole lines only, and the last one ends in dots.
+/// Cuts a caption that is too long even in the smallest type: whole lines only, the last one ends
+/// in dots.
 void shorten(Caption& caption, const ImVec2& room) {
     ImGui::PushFont(caption.font);
     const float lines =

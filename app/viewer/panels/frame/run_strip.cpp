@@ -22,7 +22,7 @@ namespace se::view {
 
 namespace {
 
-/// Maximum height of a lane, in em; higher ones would look like a bar chart.
+/// Least and greatest height of a lane, in em; higher ones would look like a bar chart.
 constexpr float kLeastLane = 0.5F;
 constexpr float kHighestLane = 0.95F;
 /// Height of the row that the remaining lanes share.

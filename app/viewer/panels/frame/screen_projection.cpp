@@ -28,7 +28,7 @@ constexpr std::size_t kMaxSights = 48;
 constexpr float kMarkFrom = 0.9F;
 /// Marks grow with the view: at most by this (render/renderer.cpp).
 constexpr float kMarkGrowth = 1.15F;
-/// Size of a cell of the clutter, in em, and what is filled counts in it.
+/// Size of a cell of the occupancy grid, in em, and the weights of faces and of marks in it.
 constexpr float kCell = 0.5F;
 constexpr float kFaceWeight = 0.5F;
 constexpr float kSpotWeight = 1.0F;

@@ -196,7 +196,7 @@ bool handleMoveTool(const PanelContext& context) {
     const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     ViewDrag& motion = context.state<ViewDrag>();
     if (tool.holds) {
-        // Taken back meanwhile, the rest of the motion is nobody's.
+        // If the move was taken back meanwhile, the rest of the motion has no effect.
         if (drag.held() && ImGui::IsMousePosValid()) followPointer(context, tool);
         if (drag.held() && !down) endMove(context);
         tool.holds = down;

@@ -368,7 +368,7 @@ void drawOptions(const PanelContext& context, LessonWalk& walk) {
     }
 }
 
-/// How many of a room chose each option.
+/// A field for each option: how many people in the room chose it.
 void drawHands(const PanelContext& context, LessonWalk& walk) {
     const std::vector<std::string>& options = walk.question()->options;
     std::vector<int> hands = walk.state().hands;

@@ -30,7 +30,7 @@ void name(const PanelContext& context, const char* text) {
     ImGui::SetNextItemWidth(-1.0F);
 }
 
-/// The particles get the keyboard focus back.
+/// Starts spreading. The particles get the keyboard focus back.
 void beginByEnter(const PanelContext& context) {
     context.commands.sampling.start();
     context.ui().closesPopups = true;

@@ -46,7 +46,7 @@ bool smallButton(const PanelContext& context, const std::string& label, const st
 /// A row of a list with a name and a tooltip, highlighted if `on`. True if clicked.
 bool selectable(const PanelContext& context, const std::string& label, bool on,
                 const std::string& name, const std::string& tip = {});
-/// The same as textButton(), in the accent color if `on`: the next thing to do, or what is chosen.
+/// A textButton() in the accent color if `on`: the next thing to do, or what is chosen.
 bool accentButton(const PanelContext& context, bool on, const std::string& label,
                   const std::string& name, const std::string& tip = {}, float width = 0.0F);
 /// Width of buttons with these texts beside each other.
@@ -134,14 +134,15 @@ void drawButtons(const PanelContext& context, std::span<const CommandButton> but
 void drawSpeed(const PanelContext& context, const Playback& playback);
 /// Gives the keyboard focus to the item drawn last.
 void takeKeyboard();
-/// Gives it to the first item of the current window; without one, arrows scroll the window.
+/// Gives the keyboard focus to the first item of the current window; without one, arrows scroll
+/// the window.
 void takeKeyboardHere();
 /// A text in lines that are broken at spaces only, never inside of a number: `width` pixels wide,
 /// or as wide as there is room (0). One item, so that a tooltip is that of all lines. All running
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
-/// The same in another font.
+/// wrappedText() in another font.
 void wrappedIn(ImFont* font, const std::string& text);
 /// The text with those line breaks, for other items.
 std::string withBreaks(const std::string& text, float width = 0.0F);
@@ -171,7 +172,7 @@ std::string fittedName(const std::string& name, float width);
 void dimShortText(const std::string& text, float width);
 /// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
-/// linesAtBlanks() in the current type.
+/// The lines of linesAtBlanks(), measured in the current type.
 std::vector<std::string> wrapped(const std::string& text, float width);
 /// Outcome of an event without a verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
