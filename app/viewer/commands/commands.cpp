@@ -431,7 +431,7 @@ const auto kCommands = std::to_array<Command>({
      "Close a popup, leave a panel, clear the selection, leave Present; never quits.", escape},
 });
 
-/// A condition of the commands whose ids begin so.
+/// A condition of the commands whose ids begin with `id`.
 struct Need {
     std::string_view id;
     bool (*holds)(const CommandContext& context);
@@ -466,7 +466,7 @@ constexpr std::string_view kFinished = "The run is finished.";
 constexpr std::string_view kNotCompared = "No comparison: press Ctrl+D, then choose the other run.";
 constexpr std::string_view kBlanksInPresent = "The screen is blanked in the layout Present (F2).";
 
-/// Of commands that are refused without them.
+/// Needs of commands that are refused where these do not hold.
 constexpr auto kCommandNeeds = std::to_array<Need>({
     {"edit.", isOpen, kNothing},
     {"run.", isOpen, kNothing},
@@ -500,8 +500,8 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"view.spotlight", presents, "The spotlight belongs to the layout Present (F2)."},
 });
 
-/// Of commands that are gray, since they would lead nowhere, but are carried out: they may say
-/// more, and undoing ends a change that is still open.
+/// Needs of commands that are gray where these do not hold, but are carried out all the same: their
+/// messages may say more, and undoing ends a change that is still open.
 constexpr auto kMoveNeeds = std::to_array<Need>({
     {"run.play", isBeforeEnd, kFinished},
     {"run.end", isBeforeEnd, kFinished},
@@ -576,7 +576,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"view.frame", &NewPoints::home},
 });
 
-/// Beginnings of the ids of those about the run, which does not exist yet.
+/// Beginnings of the ids of commands about the run, which does not exist yet.
 constexpr std::array<std::string_view, 15> kAside = {
     "run.",         "step.",       "lesson.",     "layer.",           "notes.",
     "edit.",        "view.mesh.",  "view.doctor", "view.breakpoints", "view.watch",

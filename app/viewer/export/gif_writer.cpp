@@ -140,7 +140,7 @@ class GifWriter : public FrameWriter {
   private:
     Status failure() const { return Error{"Cannot make a GIF of " + target_.path.string() + "."}; }
 
-    /// Rows from the top down.
+    /// The colors of the pixels as indices of the palette, rows from the top down.
     std::vector<std::uint8_t> indicesOf(const Picture& picture) {
         std::vector<std::uint8_t> indices;
         indices.reserve(picture.rgba.size() / 4);

@@ -38,13 +38,13 @@ class Growth {
     /// Restarts: finds the surface, and makes as many steps as spec.steps. Running work is
     /// cancelled.
     void start(const SampleSpec& spec);
-    /// That many more steps, after which others will follow.
+    /// Makes that many more steps, after which others will be requested.
     void play(int steps);
-    /// That many more steps.
+    /// Makes that many more steps.
     void advance(int steps);
-    /// All remaining steps.
+    /// Makes all remaining steps.
     void finish() { advance(Sampler::allSteps()); }
-    /// No more than the step that is being made.
+    /// Stops after the step in progress.
     void pause();
     void cancel();
 

@@ -59,7 +59,8 @@ struct RingCorner {
     bool concave = false;
 };
 
-/// Filled where the ring is concave, hollow where it is convex (§6.1, Figs. 4 and 5).
+/// Draws a corner: filled where the ring is concave, hollow where it is convex (§6.1, Figs. 4 and
+/// 5).
 void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out);
 
 /// The angle of a position on a disc, in [0, 360).
@@ -75,7 +76,7 @@ struct Overlap {
 
 Overlap overlapOf(const LayerInput& in, const Disc& disc, const Triangle& wouldBe);
 
-/// Filled and hatched in the color of errors.
+/// Draws the parts, filled and hatched in the color of errors.
 void addOverlap(const LayerInput& in, const Overlap& overlap, DrawList& out);
 
 }  // namespace se::view

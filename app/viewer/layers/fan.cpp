@@ -29,7 +29,7 @@ void addCovered(const LayerInput& in, const Overlap& overlap, DrawList& out) {
         out.loop(in.cornersOf(t), in.palette.rejected, 0.09F, Depth::OnTop, 0.25F);
 }
 
-/// Against the half turn, as it is shown.
+/// The comparison with a half turn, as it is shown.
 const char* comparedWithHalfTurn(double degrees) {
     return degrees > 180.0   ? " > 180\xC2\xB0"
            : degrees < 180.0 ? " < 180\xC2\xB0"

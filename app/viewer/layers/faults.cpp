@@ -88,7 +88,7 @@ bool isThere(const LayerInput& in, Index number) {
     return number < in.picture.finishedTriangles + in.picture.newTriangles.size();
 }
 
-/// Filled if it is made already, otherwise dashed.
+/// Draws a triangle of a failure: filled if it is made already, otherwise dashed.
 void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& out) {
     const Color& color = in.palette.rejected;
     if (there) out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(kTint));
@@ -248,7 +248,7 @@ void addHoleFill(const LayerInput& in, DrawList& out) {
 
 namespace {
 
-/// Old edges dashed, new ones bold, the rim thin. New triangles are hatched besides.
+/// Draws edges: old ones dashed, new ones bold, the rim thin. New triangles are hatched besides.
 void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
     const Palette& c = in.palette;
     for (const MeshEdge& e : edges.kept) {

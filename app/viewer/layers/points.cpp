@@ -88,8 +88,8 @@ void fillStyles(const LayerInput& in, DrawList& out) {
     out.cloudMadeOf = status;
 }
 
-/// Within a pivot its neighborhood is emphasized, and all else dimmed. On top of the cloud and not
-/// in its styles, which are computed again only where a status changed.
+/// Within a pivot its neighborhood is emphasized, and all else dimmed. Drawn on top of the cloud,
+/// since the styles of the cloud are computed again only where a status changed.
 void addNeighborhood(const LayerInput& in, DrawList& out) {
     for (const Index q : in.model.points.neighbors[in.picture.pivot]) {
         if (!in.model.drawable[q]) continue;

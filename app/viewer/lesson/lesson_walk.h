@@ -66,10 +66,10 @@ class LessonWalk {
     void choose(std::size_t option);
     /// The option that the answer is; nothing if it is none.
     std::optional<std::size_t> chosen() const;
-    /// Marks a point, or unmarks it; of one point at most; of a pivot to play, adds a move.
-    /// Requires takesPoints().
+    /// Marks a point or unmarks it. A question for one point has one mark at most; for a pivot to
+    /// play, this adds a move. Requires takesPoints().
     void toggle(Index point);
-    /// Of a pivot to play: the move that a click makes.
+    /// Chooses the move that a click makes, for a pivot to play.
     void chooseMove(teach::MoveKind move) { states_[step_].move = move; }
     void removeMove(std::size_t move);
     /// Of a pivot to play, after a wrong try: the decision of the run against the first wrong move;

@@ -318,7 +318,7 @@ class DialPainter {
             p_.circle(at, 0.78F * em, line(&Palette::text, 0.1F));
     }
 
-    /// The most important come first: they are closest to their points.
+    /// The texts at the rim, the most important first: these are closest to their points.
     std::vector<RimText> texts() const {
         std::vector<RimText> first;
         std::vector<RimText> ends;
@@ -341,8 +341,8 @@ class DialPainter {
         return first;
     }
 
-    /// Along the spoke, clear of the marks and ranks of other points; omitted if there is
-    /// no such position.
+    /// Draws the rank along the spoke, clear of the marks and ranks of other points; omitted if
+    /// there is no such position.
     void drawRank(const DialTick& tick) {
         const float em = p_.em();
         for (const float part : {0.5F, 0.65F, 0.38F, 0.78F, 0.28F}) {

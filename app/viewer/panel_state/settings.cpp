@@ -168,7 +168,7 @@ PanelSizes panelSizesIn(const json& object) {
     return {fieldIn(panels, "column", 1.0F, 1000.0F, 0.0F), flagIn(panels, "columnFolded", false)};
 }
 
-/// Only what the user has changed.
+/// The sizes that the user has changed, no others.
 json toJson(const PanelSizes& sizes) {
     json object = json::object();
     if (sizes.column > 0.0F) object["column"] = sizes.column;

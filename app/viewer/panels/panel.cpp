@@ -124,7 +124,7 @@ void drawPictureAlone(const PanelContext& context) {
     drawNarration(context);
 }
 
-/// Over everything.
+/// Covers everything while the screen is blanked.
 void drawBlankScreen(const PanelContext& context) {
     BlankScreen& blank = context.ui().blank;
     if (blank == BlankScreen::None) return;

@@ -104,7 +104,7 @@ class SectionMaker {
         made_.reach = kRoom * farthest;
     }
 
-    /// Twice, since the plane enters and leaves a triangle through its sides.
+    /// Adds the line in which the plane cuts a triangle: it enters and leaves through two sides.
     void addCut(const Triangle& t, bool isNew) {
         const std::array corners = {t.a, t.b, t.c};
         const double far = 2.0 * made_.reach;
@@ -147,7 +147,7 @@ class SectionMaker {
         return found == made_.points.end() ? nullptr : &*found;
     }
 
-    /// Only near the plane, unless `always`.
+    /// Adds a point, only if it is near the plane, unless `always`.
     void add(Index point, DialRole role, bool always) {
         const double off = plane_.off(at(point));
         if (!always && std::abs(off) > kNearShare * spacing_) return;

@@ -63,7 +63,7 @@ void drawOption(RuleList& list, const RuleRow& row) {
     ImGui::EndCombo();
 }
 
-/// Takes effect on Enter, or when the field loses the focus.
+/// A field for a number, which takes effect on Enter, or when the field loses the focus.
 void drawNumber(RuleList& list, const RuleRow& row) {
     const RuleSetting& setting = *row.setting;
     double value = row.value;
@@ -77,7 +77,7 @@ void drawNumber(RuleList& list, const RuleRow& row) {
                                           ".");
 }
 
-/// One sentence, below the name.
+/// The effect of a rule as one sentence, below its name.
 void drawEffect(const RuleList& list, const RuleRow& row) {
     ImGui::PushFont(list.context.fonts.small);
     ImGui::Indent(kIndentWidth * list.context.em);
@@ -87,7 +87,7 @@ void drawEffect(const RuleList& list, const RuleRow& row) {
     ImGui::PopFont();
 }
 
-/// A dot before a value that differs from the set, and a button to reset it.
+/// A rule, with a dot before a value that differs from the set, and a button to reset it.
 void drawRow(RuleList& list, const RuleRow& row) {
     const PanelContext& context = list.context;
     const RuleSetting& setting = *row.setting;

@@ -333,7 +333,7 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     if (!frames) context.ui().fileBrowser = false;
 }
 
-/// The sampled points: of the page, or of the open input.
+/// File name without extension for the sampled points of the page, or of the open input.
 std::string stemOfMade(const PanelContext& context) {
     const GrowthPicture* picture = context.commands.sampling.growth().picture();
     if (context.state<GrowthPage>().open)
@@ -522,7 +522,7 @@ void drawOpen(const PanelContext& context, FileBrowsing& state) {
     ImGui::EndTable();
 }
 
-/// Each time that the browser opens, since files may have changed.
+/// Prepares the browser each time it opens, since files may have changed.
 void prepare(const PanelContext& context, FileBrowsing& state) {
     state.task = context.ui().browser;
     if (state.folder.empty() || rowOf(state.task).saves) state.folder = firstFolder(context);

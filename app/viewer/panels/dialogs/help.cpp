@@ -217,7 +217,7 @@ void drawColumns(const PanelContext& context, int columns) {
     ImGui::EndTable();
 }
 
-/// Of constant height: rows must not move under the pointer.
+/// The head, of constant height: rows must not move under the pointer.
 void drawHead(const PanelContext& context) {
     UiState& ui = context.ui();
     const std::string& note = ui.keyCapture.note();

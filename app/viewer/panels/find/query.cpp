@@ -173,7 +173,7 @@ void drawByWords(const PanelContext& context) {
     }
 }
 
-/// The full move is in the tooltip.
+/// The move of a point, in short; the tooltip has it in full.
 RowNote moveNote(const FlippingMove& move) {
     const std::string point = std::to_string(move.point);
     return {"moving " + point + formatted(" by %.2g flips it", glm::length(move.by)),

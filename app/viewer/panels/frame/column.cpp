@@ -246,7 +246,7 @@ void drawParts(const PanelContext& context) {
     }
 }
 
-/// After the first run, above the parts, beside the model.
+/// The offer of the tour after the first run, above the parts.
 void drawTourOffer(const PanelContext& context) {
     textIn(context.fonts.strong, "That was the Spiraling Edge");
     wrappedText("The tour explains what you saw, in ninety seconds.");

@@ -139,7 +139,8 @@ void shorten(Caption& caption, const ImVec2& room) {
     ImGui::PopFont();
 }
 
-/// In the largest type of the layout that fits all lines, also of the sentence beside it.
+/// The caption in the largest type of the layout that fits all lines, also of the sentence beside
+/// it.
 Caption fittingCaption(const PanelContext& context, const std::string& sentence,
                        const std::string& beside, const ImVec2& room) {
     const Fonts& fonts = context.fonts;
@@ -170,7 +171,7 @@ std::string sentenceOf(const Session& session, const PictureLook& look) {
     return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";
 }
 
-/// Shown where no other panel has the address.
+/// The line with the address, shown where no other panel has it.
 void drawAddressLine(const PanelContext& context) {
     const PanelRects& rects = context.rects;
     if (rects.addressLine <= 0.0F || !context.session().ready()) return;

@@ -72,7 +72,7 @@ Progressed goneThrough(const Session& session) {
             static_cast<float>(session.madeShare())};
 }
 
-/// Only for moves that take a while; others are over before this is drawn.
+/// Progress of a move that takes a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
     if (beginOverView(context, "##move", 1.0F, 22.0F)) {

@@ -114,7 +114,7 @@ void frameHere(const PanelContext& context, const Rect& cell) {
                 0.2F * context.em);
 }
 
-/// Instead of cells, at the start of the run.
+/// A text instead of cells, at the start of the run.
 void drawNone(const PanelContext& context, const Rect& bars, const char* text) {
     const float y = bars.min.y + 0.5F * (bars.size.y - context.em);
     ImGui::GetWindowDrawList()->AddText({bars.min.x, y}, toU32(context.palette.textDim), text);
@@ -390,7 +390,7 @@ constexpr float kMargin = 0.75F;
 constexpr float kFold = 1.4F;
 constexpr float kNotes = 2.2F;
 
-/// The most important first.
+/// Counts of the run, the most important first.
 std::vector<std::string> figuresOf(const PanelContext& context) {
     const Session& session = context.session();
     const DecisionState& picture = session.picture();

@@ -76,7 +76,7 @@ void drawSelectEntries(const PanelContext& context, const Selection& what) {
     }
 }
 
-/// Only where something is wrong.
+/// Entry about a fault, only where there is one.
 void drawWrongEntry(const PanelContext& context, const Selection& what) {
     const auto alert = alertAt(context.session().alerts(), what);
     if (!alert) return;

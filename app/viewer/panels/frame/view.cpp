@@ -58,7 +58,7 @@ constexpr std::array<const char*, 3> kPinTexts = {
     "Pinned: hidden in every stage.\nClick to unpin."};
 static_assert(static_cast<std::size_t>(LayerMode::PinnedOff) + 1 == kPinTexts.size());
 
-/// The content of the layer is not from the input.
+/// True if the content of the layer is derived, not from the input.
 bool isDerived(const Session& session, LayerId layer) {
     if (!session.ready()) return false;
     const PrepareReport& report = session.model().report;
@@ -392,7 +392,7 @@ float reachOfClick(const PanelContext& context) {
     return (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em;
 }
 
-/// Only visible things can be picked.
+/// The thing under the mouse. Only visible things can be picked.
 Pick underMouse(const PanelContext& context) {
     const Session& session = context.session();
     const Rect& view = context.rects.view;

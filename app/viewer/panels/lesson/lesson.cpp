@@ -330,7 +330,7 @@ std::string taskOf(const LessonWalk& walk) {
     return kind == "number" ? "Your number:" : "Your choice:";
 }
 
-/// Of a pivot to play: the move that a click makes.
+/// The choice of the move that a click makes, for a pivot to play.
 void drawMoveChoice(const PanelContext& context, LessonWalk& walk) {
     for (const teach::MoveRow& row : teach::moveTable()) {
         const std::string name(row.name);
@@ -343,7 +343,7 @@ void drawMoveChoice(const PanelContext& context, LessonWalk& walk) {
     ImGui::NewLine();
 }
 
-/// Of a pivot to play, below the buttons, which keep their place: the moves so far.
+/// The moves so far of a pivot to play, below the buttons, which keep their place.
 void drawMoves(const PanelContext& context, LessonWalk& walk) {
     const std::vector<teach::PlayMove>& moves = walk.state().given.moves;
     std::optional<std::size_t> gone;

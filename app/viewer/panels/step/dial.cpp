@@ -26,7 +26,7 @@ struct DialRooms {
     float height = 0.0F;  ///< Of both.
 };
 
-/// At one of the decisions of this pivot.
+/// True if one of the decisions of this pivot has a second disc.
 bool hasSecondDisc(const PanelContext& context) {
     const std::vector<Event>& events = context.session().record().events;
     return std::any_of(events.begin(), events.end(), [](const Event& each) {

@@ -118,7 +118,7 @@ class SectionDrawer {
         taken_.push_back({at(place) - half, glm::vec2(2.0F * half)});
     }
 
-    /// At an end of the line, where nothing else is.
+    /// Names the tangent plane at an end of its line, where nothing else is.
     void nameTangent() {
         const std::string text = "tangent plane";
         const glm::vec2 extent = p_.textSize(text, type_);
@@ -134,7 +134,7 @@ class SectionDrawer {
         }
     }
 
-    /// Beside its point, in the first direction that is free; omitted if none is.
+    /// Names a point, in the first direction from it that is free; omitted if none is.
     void addName(glm::vec2 from, Index point, Color Palette::*color) {
         const std::string text = nameOf(point, c_.session().names());
         const glm::vec2 extent = p_.textSize(text, type_);

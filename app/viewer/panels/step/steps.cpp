@@ -48,15 +48,15 @@ class RowPen {
         p_.text({x_, at_.y}, cut, textInk(color), {em()});
         x_ += textWidth(cut) + 0.5F * context_.em;
     }
-    /// In a row with counts at its end.
+    /// Draws a label in a row with counts at its end.
     void label(const std::string& words, const Color& color) {
         text(words, color, columns_.labels);
     }
-    /// Drawn whole or not at all.
+    /// Draws a label whole or not at all.
     void labelIfItFits(const std::string& words, const Color& color) {
         if (x_ + textWidth(words) <= columns_.labels) label(words, color);
     }
-    /// Ends at `width` from here.
+    /// Draws a text that ends `width` from here.
     void rightAligned(const std::string& words, float width, const Color& color) {
         endingAt(x_ + width, words, color);
         x_ += width + 0.5F * context_.em;

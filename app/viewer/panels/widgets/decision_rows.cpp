@@ -128,7 +128,7 @@ class RowDrawer {
         ImGui::PopFont();
     }
 
-    /// With the name of the quantity, if it fits.
+    /// The numbers of a decision, with the name of the quantity if it fits.
     static std::string numbersOf(const LedgerLine& line, float room) {
         if (!line.reading) return shortSentence(line.event);
         const std::string at =
