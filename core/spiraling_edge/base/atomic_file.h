@@ -15,10 +15,9 @@ namespace se {
 /// A file that is being written. The bytes go to a temporary file in the folder of the target,
 /// created exclusively under an unpredictable name; commit() renames it to the target once it is on
 /// the disk. Until then the target stays as it was, and without commit() the temporary file is
-/// removed. Links are
-/// followed to their target; the mode of an existing file is kept. A pipe, a device and the open
-/// files of this process (/dev/stdout, /dev/fd/3) are written to directly. Errors name the path and
-/// the reason.
+/// removed. Links are followed to their target; the mode of an existing file is kept. A pipe, a
+/// device and the open files of this process (/dev/stdout, /dev/fd/3) are written to directly.
+/// Errors name the path and the reason.
 class AtomicFile {
   public:
     /// Fails if `path` is a folder or write-protected, or if its folder does not exist or does not

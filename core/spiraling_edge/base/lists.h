@@ -1,4 +1,4 @@
-/// Questions to lists and tables.
+/// Searches in lists and tables.
 #pragma once
 
 #include <algorithm>

@@ -98,7 +98,7 @@ struct ExaminedFile {
     double distance(Index p, Index q) const;
 };
 
-/// One per point; of a file whose other members are filled in.
+/// The roughness about each point of a file whose other members are filled in.
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined);
 /// The layers of a file whose other members are filled in, `roughness` too.
 std::optional<Layers> layersOf(const ExaminedFile& examined);
@@ -138,7 +138,7 @@ std::vector<EvidenceLine> evidenceAt(const ExaminedFile& examined, At&& at) {
 std::vector<Index> thinnedOut(const ExaminedFile& examined, const std::vector<Index>& points,
                               double spacing);
 
-/// From points to the farthest of their lists.
+/// Lines from points to the farthest of their lists.
 std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists);
 
 /// A finding at these points (ascending), or nothing if there are none. Its text is their number,

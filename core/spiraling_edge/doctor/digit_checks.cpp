@@ -94,10 +94,11 @@ bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     return !distances.empty() && medianOf(distances) < kNext;
 }
 
-/// Of the spacing: rounding moves points by 0.3 steps, and less is little noise.
+/// Steps above this share of the spacing are wide: rounding moves points by 0.3 steps, and what
+/// narrower ones do is little noise.
 constexpr double kWide = 0.2;
 
-/// Steps next to the spacing, of axes far from the origin.
+/// The steps of axes far from the origin that are wide beside the spacing; 0 for all others.
 Steps wideSteps(const ExaminedFile& examined) {
     constexpr double kFar = 20.0;  // Times the longest extent.
     const InputFacts& facts = examined.intake.judge->facts;

@@ -81,7 +81,7 @@ struct TriedFix {
     std::string text;  ///< A piece of a sentence: "by paper sound (before faults at 4 places)".
 };
 
-/// Begins the part of Finding::text about Finding::scale.
+/// The beginning of the part of Finding::text about Finding::scale.
 inline constexpr std::string_view kWithFactors = "; with ";
 
 /// A problem of a file, or a fact worth knowing about it.

@@ -46,7 +46,7 @@ class FixApplication {
 
     void markUnfit() {
         placed_ = placedPoints(file_.position, file_.farValues);
-        // The copies go, and what they say with them.
+        // Before the copies are dropped: their normals count in the mean.
         averageOverCopies(placed_, file_.normal);
         std::array<std::size_t, kAsides> count{};
         for (std::size_t p = 0; p < keep_.size(); ++p) {

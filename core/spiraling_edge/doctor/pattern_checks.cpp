@@ -60,7 +60,7 @@ std::optional<Finding> findTwins(const ExaminedFile& examined) {
     }
     const double apart = medianOf(pairs);
     if (2.0 * apart > medianOf(others)) return std::nullopt;  // Short lines.
-    // Between the pairs, and the other points about them.
+    // The spacing is between the distances in pairs and those to other points.
     constexpr double kMostPairs = 0.98;
     constexpr double kNearestOthers = 0.02;
     const double spacing =
@@ -83,8 +83,8 @@ std::optional<Finding> findTwins(const ExaminedFile& examined) {
 std::optional<Finding> findLines(const ExaminedFile& examined) {
     const InputFacts& facts = examined.intake.judge->facts;
     if (facts.across == 0.0) return std::nullopt;
-    // Nearer lines have others in their lists. Farther ones are no surface that thinning would
-    // show.
+    // Of lines nearer to each other, lists hold points of other lines, too. Lines farther apart are
+    // no surface, even thinned.
     constexpr double kLeast = 2.0;
     constexpr double kMost = 50.0;
     const double ratio = facts.across / facts.along;
@@ -94,7 +94,7 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
                   "the points lie in lines: " + shortNumber(facts.along) +
                       " apart along them, and " + shortNumber(facts.across) + " across");
     thin(examined, rounded(kThinnedLines * facts.across), finding);
-    // All of a list lies along the line.
+    // From each point to the end of its list, all of which lies along the line.
     finding.lines = alongLists(examined, examined.nearest());
     return finding;
 }

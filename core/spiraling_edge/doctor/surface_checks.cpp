@@ -15,7 +15,7 @@ namespace se {
 namespace {
 
 constexpr std::size_t kFitsPerThread = 1024;
-/// Of fewer points patches go round a bend of the surface: heights over a fit may be its shape.
+/// With fewer points, patches go around a bend of the surface: heights over a fit may be its shape.
 constexpr std::size_t kFewPoints = 150;
 
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.

@@ -188,7 +188,7 @@ std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
 }
 
 std::optional<Finding> findExtremeSize(const ExaminedFile& examined) {
-    // Meshes of robust are the same for all sizes between.
+    // Between 1 / kMost and kMost, `robust` makes the same meshes at every size.
     constexpr double kMost = 1e30;
     const Vec3 extent = examined.intake.judge->facts.extent();
     const double size = std::max({extent.x, extent.y, extent.z});
@@ -211,7 +211,8 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
                       percent(examined.units->planar) + " of the places are planar, and " +
                       percent(examined.units->planarScaled) + " with equal spans");
     finding.lines = alongLists(examined, examined.nearest());
-    // Those are short: points of one height, of all of the surface.
+    // These lines are short: lists hold points of one height, from all over the surface. Those with
+    // equal units show what lists should hold.
     for (EvidenceLine line : alongLists(examined, examined.units->scaled)) {
         line.asItShouldBe = true;
         finding.lines.push_back(line);

@@ -11,11 +11,11 @@
 
 namespace se {
 
-/// The planes upright on the edges of a triangle, each leaning outward by 22.5 degrees, and its own
-/// plane. If all corners of another triangle are beyond one of the edges, the two share no more
-/// than common corners. Nor is one a layer over the other: they are seen along the sum of their
-/// normals, which are within 45 degrees. A search finds the sides of each point once, for all
-/// triangles at it.
+/// The planes on the edges of a triangle, which lean outward from upright by 22.5 degrees, and its
+/// own plane. If all corners of another triangle are beyond one of the edges, the two share no more
+/// than common corners. Nor is one a layer over the other: layers are seen along the sum of their
+/// normals, which are within 45 degrees of each other. A search finds the sides of each point once,
+/// for all triangles at it.
 class EdgePlanes {
   public:
     /// Bits of sidesOf().

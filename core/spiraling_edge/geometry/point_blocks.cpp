@@ -75,8 +75,8 @@ void PointBlocks::divide(std::span<Item> items, std::size_t number, std::uint32_
 }
 
 /// Puts the items that are first along the axis before `middle`, as std::nth_element does. That one
-/// has an unpredictable branch at each item; here most items are moved without a
-/// branch, to either side of a value near the middle one.
+/// has an unpredictable branch at each item; here most items are moved without a branch, to either
+/// side of a value near the middle one.
 void PointBlocks::select(std::span<Item> items, std::size_t middle, std::size_t axis) {
     constexpr std::size_t kSample = 11;
     constexpr std::size_t kFew = 32;

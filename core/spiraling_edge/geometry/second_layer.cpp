@@ -222,7 +222,7 @@ bool isOffPlane(const PointSet& points, const ShapedTriangle& t, const Triangle&
     return low <= high && (low > margin || high < -margin);
 }
 
-/// trianglesShareMore(), which most pairs need not be asked.
+/// trianglesShareMore(), after quick tests that answer for most pairs.
 bool shareMore(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
     const double reach = a.shape.reach + b.shape.reach;
     const double margin = 1e-9 * reach * reach * reach;

@@ -40,7 +40,7 @@ struct InputFacts {
     std::size_t pieces = 0;    ///< Connected by mutual neighbors within two spacings; 0: unknown.
     std::size_t openings = 0;  ///< Rims, each where the surface ends.
 
-    /// Those that every run sets aside, and those that `robust` sets aside besides.
+    /// The points that every run sets aside, and those that `robust` sets aside besides, by reason.
     std::array<std::size_t, kAsides> asideAlways() const;
     std::array<std::size_t, kAsides> asideByRobust() const;
     std::size_t count(Aside reason) const { return aside[static_cast<std::size_t>(reason)]; }

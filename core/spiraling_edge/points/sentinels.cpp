@@ -107,8 +107,8 @@ bool areSpreadAlike(std::span<const Vec3> position, const std::vector<Index>& po
     });
 }
 
-/// That of the points marked No; nothing where all have it. `sign`: 1 for the least, -1 for the
-/// greatest.
+/// The shared value of the points marked No; nothing where all have it. `sign`: 1 for the least, -1
+/// for the greatest.
 std::optional<SharedValue> sharedValueOf(std::span<const Vec3> position,
                                          std::span<const Aside> aside, Vec3::length_type axis,
                                          double sign) {

@@ -28,8 +28,7 @@ inline constexpr SentinelLimits kSentinelLimits{};
 
 /// Marks as Aside::Sentinel the points, of those marked No and their copies, with a coordinate far
 /// off the others, those with a coordinate below or above all others that several share without
-/// being a plane, and all at a place far off the others that several share:
-/// kSentinelLimits.
+/// being a plane, and all at a place far off the others that several share: kSentinelLimits.
 /// `original` has the first point at the place of each, kNone if it is not finite. Requires a mark
 /// for each position. Deterministic. O(points).
 void markSentinels(std::span<const Vec3> position, std::span<const Index> original,

@@ -21,7 +21,7 @@ struct AsideWords {
 };
 /// All but Aside::No, in the order of Aside.
 std::span<const AsideWords> asideReasons();
-/// Those of one reason. Requires one that is not Aside::No.
+/// The words of one reason. Requires one that is not Aside::No.
 const AsideWords& wordsOf(Aside reason);
 
 /// The reason why a point was set aside, as a sentence: "Point 5 was set aside before the run:
@@ -54,7 +54,7 @@ bool scaleToUnit(Vec3& normal);
 void addDirection(std::vector<Vec3>& directions, Vec3 normal);
 /// The unit vector in the mean of several; the first where they cancel out. Requires one.
 Vec3 meanOfDirections(const std::vector<Vec3>& directions);
-/// The same; adds 1 to `averaged` if there are several, and the mean is not the first of them.
+/// The mean as above; adds 1 to `averaged` if there are several, and it is not the first of them.
 Vec3 meanOfDirections(const std::vector<Vec3>& directions, std::size_t& averaged);
 /// "12 places with several normals: the mean of them is used"; empty for none.
 std::string averagedText(std::size_t places);

@@ -25,16 +25,17 @@ struct Intake {
 /// Fails as prepare() does. Deterministic. O(points log points).
 Result<Intake> takeIn(const PointFile& file, const Progress& progress = {});
 
-/// The judge of the meshes of a run with `params`. Of `options` count the walls, the number of
-/// threads, and that the user has the sides of normals derived (`normals`, `scanner`): then a piece
-/// of points whose shape does not say that its given normals face outward may face as in `run`, the
-/// points of `file` prepared with these options. Openings within Params::isWithinHoleLimits() are
-/// left out: the run closes them. Fails as prepare() does. Deterministic. O(points log points).
+/// The judge of the meshes of a run with `params`. Of `options` only these count: the walls, the
+/// number of threads, and whether the user has the sides of normals derived (`normals`, `scanner`).
+/// If so, a piece of points whose shape does not say that its given normals face outward may face
+/// as in `run`, the points of `file` prepared with these options. Openings within
+/// Params::isWithinHoleLimits() are left out: the run closes them. Fails as prepare() does.
+/// Deterministic. O(points log points).
 Result<std::shared_ptr<const MeshJudge>> judgeOfRun(const PointFile& file,
                                                     const PrepareOptions& options,
                                                     const Params& params, const PointSet& run,
                                                     const Progress& progress = {});
-/// That of points without options but the number of threads, as in NeighborOptions.
+/// The judge of a file without options but the number of threads, as in NeighborOptions.
 Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file, unsigned threads = 0);
 /// The points of a mesh without others to judge it by: its own, as they are.
 PointSet ownPoints(const PointFile& mesh);

@@ -1,7 +1,7 @@
 /// Neighbor lists of all points. How they are found only affects the time: distances are compared
 /// exactly, ties by index, so that lists depend neither on the order of the tree (point_blocks.h),
-/// nor on guesses, on threads or on a translation without rounding. Groups of
-/// points are searched in parallel. O(n log n) for n points and short lists.
+/// nor on guesses, on threads or on a translation without rounding. Groups of points are searched
+/// in parallel. O(n log n) for n points and short lists.
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 /// The order of the derivations: usable points, strays, normals, their sides, types, lists, noise,
-/// rims.
-/// Each piece is derived only if absent or requested, and timed.
+/// rims. Each piece is derived only if absent or requested, and timed.
 #include "spiraling_edge/prepare/prepare.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 /// Conversion of a file's content to the input of the stepper: normals, types and neighbor lists
-/// derived where absent or requested, unusable points set aside, lists cleaned (section
-/// Input of docs/choices.md).
+/// derived where absent or requested, unusable points set aside, lists cleaned (docs/choices.md,
+/// "Input").
 #pragma once
 
 #include <array>

@@ -85,7 +85,7 @@ struct FoundDecisions {
 /// The question for the decisions that match, `limit` of them listed. O(run).
 Question<FoundDecisions> decisionsQuestion(const PointSet& points, const Params& params,
                                            const DecisionQuery& query, std::size_t limit);
-/// Its answer. Fails if cancelled.
+/// The answer to decisionsQuestion(). Fails if cancelled.
 Result<FoundDecisions> findDecisions(const PointSet& points, const Params& params,
                                      const DecisionQuery& query, std::size_t limit,
                                      const Progress& progress = {});

@@ -23,10 +23,11 @@ struct RunChart {
     std::vector<ChartBar> bars;
 };
 
-/// Rejections by stage; over the pivots with a ring entry: the length of the ring, the candidates
-/// of §6.1, the tests. At most 16 bars a chart, of equal width. O(run). Deterministic.
+/// The question for the charts: refusals by stage; over the pivots with a ring entry, the length of
+/// the ring, the candidates of §6.1, the tests. At most 16 bars a chart, of equal width. O(run).
+/// Deterministic.
 Question<std::vector<RunChart>> chartsQuestion();
-/// Its answer. Fails if cancelled.
+/// The answer to chartsQuestion(). Fails if cancelled.
 Result<std::vector<RunChart>> runCharts(const PointSet& points, const Params& params,
                                         const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-/// The table of figures. Addresses, names and outcomes were found by
-/// `spiraling-edge run scene:figure-N --trace -`; tests/core/scenes/figures_test.cpp walks it.
+/// The table of figures. Addresses, names and outcomes were found by `spiraling-edge run
+/// scene:figure-N --trace -`; tests/core/scenes/figures_test.cpp checks each row.
 /// Most figures show one pivot of a run under way. Their points are a dozen in the plane with a
 /// finished patch, its triangles and its edge rings (GivenStart); only the pivots that the figure
 /// shows have neighbor lists, so that nothing else happens. The others are small samples.

@@ -1,6 +1,5 @@
 /// The figures of the paper as a table: what to open, where to look, what the points are called,
-/// what has to be seen there, and what goes wrong without the rule. why/figure_check.h checks
-/// it.
+/// what has to be seen there, and what goes wrong without the rule. why/figure_check.h checks it.
 #pragma once
 
 #include <optional>

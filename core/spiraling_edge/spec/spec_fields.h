@@ -112,7 +112,7 @@ std::string differenceText(const RunSpec& from, const RunSpec& to);
 /// The options of a change: {"--rules robust", "--neighbors 10"}, as words of a shell. Fields
 /// without an option are passed over.
 std::vector<std::string> optionsOf(const SpecChange& change);
-/// Those of a group of all that is set, each after a blank.
+/// The options of these groups, of all that is set, each after a blank.
 std::string optionsText(const RunSpec& spec, std::initializer_list<SpecGroup> groups);
 
 /// Reads options from words, {"--rules", "robust", "--symmetric"}. Fails with the word that is not

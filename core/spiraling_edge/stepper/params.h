@@ -93,7 +93,7 @@ struct RobustRules {
     /// unless it is too long or too wide, or longer than five and an opening.
     bool fill = false;
     /// After the last pivot: a component of a few triangles beside a larger one is taken out; in
-    /// the last round, at each point, all fans but the largest. `reinsert` may put their points
+    /// the third round, at each point, all fans but the largest. `reinsert` may put their points
     /// back.
     bool dropPatches = false;
     /// After the last pivot: a stranded point takes the place of the triangles it lies over.

@@ -85,7 +85,8 @@ struct RepairState : RepairNumbers {
     JournaledList<HalfEdge> queue;  ///< Sides to examine.
     /// Per triangle: the flips it took part in that only made fewer conflicts.
     JournaledList<std::uint8_t> conflictFlips;
-    /// Per triangle: 1 if it was found without a fault since it has its corners; else 0, or none.
+    /// Per triangle: 1 if it was found without a fault since it got its corners; else 0, or beyond
+    /// the end.
     JournaledList<std::uint8_t> sound;
     /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
     JournaledList<PinchedSide> pinchedSides;
@@ -109,7 +110,8 @@ struct RepairState : RepairNumbers {
 /// Number of rounds: flips make room for more points, and new points for more flips. In the last
 /// one, points are put in and nothing else is done.
 inline constexpr std::uint32_t kRepairRounds = 4;
-/// From this round on, a point that fits nowhere without a fault may add as many as it is itself.
+/// From this round on, a point that fits nowhere without a fault may add one: in no triangle, it is
+/// a fault itself. The third round.
 inline constexpr std::uint32_t kSettlingRound = 2;
 
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
@@ -128,11 +130,11 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
 std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
-/// a side of the border or beside it, if no new triangle has a fault; from kSettlingRound on, else
-/// into a patch that is filled around it, or where the mesh has the fewest faults, but no more than
-/// before, the point counted. A point stays out if none of the mesh that it lists is within three
-/// spacings, by the spacing there (the distance to the sixth neighbor). Nothing if no point is left
-/// to try.
+/// a side of the border or beside it, if no new triangle has a fault. From kSettlingRound on, a
+/// point without such a place goes into a patch that is filled around it or, when all others were
+/// tried, where it adds the fewest faults, at most one, since it is one itself. A point stays out
+/// if none of the mesh's points that it lists is within three spacings, by the spacing there (the
+/// distance to the sixth neighbor). Nothing if no point is left to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most

@@ -65,7 +65,7 @@ constexpr bool kLogging = std::is_same_v<Context, LoggedContext>;
 
 inline constexpr PaperRules kDefaultPaperRules{};
 /// The paper's rules of the run. Without a log they are the defaults, known at compile time: runs
-/// with non-default paper rules or what-ifs take the logging code path.
+/// with non-default paper rules take the logging code path.
 template <AnyContext Context>
 constexpr const PaperRules& paperRules(const Context& context) {
     if constexpr (kLogging<Context>) return context.params.paper;

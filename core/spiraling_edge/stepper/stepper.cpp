@@ -1,6 +1,6 @@
 /// The dispatch from State::phase to the phase functions. Each exists in two variants, with and
-/// without a log; the choice is made once per call, and runs with what-ifs or non-default paper
-/// rules always take the one with a log.
+/// without a log; the choice is made once per call. Runs with non-default paper rules always take
+/// the one with a log, and runs with what-ifs at the pivots of those.
 #include "spiraling_edge/stepper/stepper.h"
 
 #include <algorithm>

@@ -109,8 +109,8 @@ class Stepper {
     Params params_;
     std::vector<EditedPoints> edited_;
     std::vector<EditedPoints> turned_;  ///< turnedPoints() of all, input first; empty: as given.
-    /// Non-default paper rules or what-ifs: such a run takes the logging code path with or without
-    /// a log.
+    /// Non-default paper rules or what-ifs: such a run takes the logging code path also without a
+    /// log, always or at the pivots of the what-ifs.
     bool altered_;
     std::vector<RimAnswer> rimAnswers_;  ///< Empty where what-ifs change the points.
     /// Null where no fan is refused, and with non-default paper rules or what-ifs.

@@ -74,8 +74,8 @@ class RunCounts {
 /// that no step created are counted, but not followed; of a stopped run, as lost points that it
 /// did not reach, they are left out. Where following all of them through the run exceeds
 /// kMomentWork and kMomentWorkPerEvent, the first of each class are taken, an equal number of each
-/// where there are enough, at least one. Fails if cancelled. Two runs and an inspection, or three
-/// with triangles that are whole fans. Deterministic.
+/// where there are enough, at least one. Fails if cancelled. Two runs and an inspection, or four
+/// runs with triangles that are whole fans. Deterministic.
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const Progress& progress = {});
 /// As above for a run that was made: `counts` got all its pivots, `mesh` is its mesh. One run less.

@@ -60,8 +60,7 @@ struct Ledger {
     std::string_view where = "in the mesh";  ///< "in the run" of a ring left over.
     std::vector<LedgerLine> lines = {};      ///< In the order of the run.
     /// Position of the deciding line: the one that made the subject, or the last that prevented it;
-    /// where the answer is proved, the decision of its proof.
-    /// Always below lines.size().
+    /// where the answer is proved, the decision of its proof. Always below lines.size().
     std::size_t cause = 0;
     std::string words = {};   ///< One sentence: the cause.
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
@@ -89,7 +88,7 @@ std::string answerText(const Ledger& ledger, std::string_view between = ". ");
 /// Deterministic.
 Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& params,
                                      const Subject& subject);
-/// Its answer. Fails also if cancelled.
+/// The answer to whyQuestion(). Fails also if cancelled.
 Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,
                    const Progress& progress = {});
 

@@ -33,7 +33,7 @@ struct NearestDecisions {
 /// have a margin of 0. O(run). Deterministic.
 Question<NearestDecisions> nearestQuestion(const PointSet& points, const Params& params,
                                            std::size_t count);
-/// Its answer. Fails if cancelled.
+/// The answer to nearestQuestion(). Fails if cancelled.
 Result<NearestDecisions> nearestDecisions(const PointSet& points, const Params& params,
                                           std::size_t count, const Progress& progress = {});
 

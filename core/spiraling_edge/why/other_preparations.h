@@ -19,8 +19,8 @@ inline constexpr std::size_t kPreparationChanges = 9;
 /// Changes of normals, rims and lists, one field each, in the order in which they are tried.
 std::vector<SpecChange> preparationChanges();
 
-/// True if a change leaves given normals alone that are right: those that do not fit are derived,
-/// those of which some are flipped turned.
+/// True if a change leaves right normals alone: it derives them only if the given ones do not fit,
+/// and turns them only if some of the given ones are flipped.
 bool respects(const MeshJudge& judge, const SpecChange& change);
 
 /// The part of a change that a run of `spec` over `file` does not have already.
@@ -40,13 +40,12 @@ struct Alternatives {
 };
 
 /// The preparations of preparationChanges() that differ from that of a run of `spec` over `file`,
-/// with PrepareOptions::leaveOut, and leave the normals alone that are right (respects()). None for
-/// what-ifs or a given start, which name decisions and triangles of that run. `file` must outlive
-/// them.
+/// with PrepareOptions::leaveOut, and leave right normals alone (respects()). None for what-ifs or
+/// a given start, which name decisions and triangles of that run. `file` must outlive them.
 std::vector<OtherPreparation> otherPreparations(const PointFile& file, const RunSpec& spec,
                                                 const MeshJudge& judge,
                                                 const std::vector<Index>& leaveOut = {});
-/// These preparations with that judge, which is not null.
+/// The otherPreparations() of a run, with the judge of all meshes, which must not be null.
 Alternatives alternativesOf(const PointFile& file, const RunSpec& spec,
                             std::shared_ptr<const MeshJudge> judge,
                             const std::vector<Index>& leaveOut = {});

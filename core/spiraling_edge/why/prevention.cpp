@@ -22,7 +22,7 @@ namespace {
 
 // The work for each point in steps of a run, as measured on a million points.
 constexpr std::uint64_t kStepsToPrepare = 1;
-constexpr std::uint64_t kStepsToJudge = 5;  // Or to prepare the judge.
+constexpr std::uint64_t kStepsToJudge = 5;  // Also to prepare the judge.
 
 /// A rule that is off, and the params with it.
 struct Candidate {
@@ -87,8 +87,8 @@ class PreventionSearch {
                counted(prepared_, "other preparation");
     }
 
-    /// Looks at these pivots, in ascending order, the last of which is that of the run. False if
-    /// cancelled.
+    /// Runs with each rule, first with those that decide otherwise at one of these pivots, which
+    /// ascend to the last one of the run. False if cancelled.
     bool runRules(const std::vector<std::uint32_t>& places) {
         const std::uint64_t comparing =
             places.size() * candidates_.size() * points_.size() / kPointsOfForkPerStep;
@@ -106,7 +106,7 @@ class PreventionSearch {
         return true;
     }
 
-    /// False if cancelled.
+    /// Runs with each of these preparations. False if cancelled.
     bool runPreparations(std::span<const OtherPreparation> all) {
         for (const OtherPreparation& each : all) {
             spend(kStepsToPrepare * points_.size());

@@ -61,8 +61,9 @@ struct ProofAim {
         following = {};
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
+    /// The effect on the answer of the run that ended so.
     std::function<Effect(const State& end)> effect;
-    /// The same of a rule or a preparation; empty: as `effect`.
+    /// The effect where a rule or a preparation was changed; empty: as `effect`.
     std::function<Effect(const State& end)> effectOfChange = {};
     /// A rule or a preparation that changes the answer is looked for as well.
     bool findsChange = true;

@@ -65,10 +65,10 @@ Result<Trial> trialOfRun(const PointFile& file, const RunSpec& spec, const Progr
 /// sets of rules, normals (oriented where given ones fit but contradict each other, derived where
 /// they do not fit: given_normals.h; all meshes are judged by judgeFor() of the file), rims, points
 /// that the doctor would drop, lengths of lists, single rules, and the best of these two at a time.
-/// Ends early after a sound mesh that is worse than none in any count. Calls `visit`,
-/// unless it is empty, before each trial, with all trials so far and the change to be tried. Fails
-/// if the settings do not exist, if the points cannot be prepared, or if cancelled, which is
-/// checked between the parts of a trial. Deterministic: equal input and settings give equal trials.
+/// Ends early after a sound mesh that is worse than none in any count. Calls `visit`, unless it is
+/// empty, before each trial, with all trials so far and the change to be tried. Fails if the
+/// settings do not exist, if the points cannot be prepared, or if cancelled, which is checked
+/// between the parts of a trial. Deterministic: equal input and settings give equal trials.
 Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,
                           const std::function<void(const Trials&, const SpecChange&)>& visit = {},
                           const Progress& progress = {});

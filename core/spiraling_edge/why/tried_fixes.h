@@ -14,11 +14,12 @@ inline constexpr std::size_t kManyForFixes = 20'000;
 inline constexpr std::uint64_t kWorkOfFixes = 250'000;
 
 /// Tries the commands of all findings, each command once, the dearest last, and sets
-/// Finding::tried; not of commands that would take more than `work` together. Points that are
-/// repaired or dropped are a new file, as the command writes it; so is each side judged by its own
-/// points. The runs are by `paper`, as run makes them, and by `robust`; the command with --best is
-/// tryChanges(). A fix helps if by one of them the mesh has fewer faults, and by none more, or if
-/// one is sound and none was. Fails if cancelled. Deterministic.
+/// Finding::tried; not of commands that would take more than `work` together. A command that
+/// repairs or drops points writes a new file, so each of the two meshes is judged by the points of
+/// its own file. The runs are by `paper`, as the command `run` makes them, and by `robust`; the
+/// command with --best is tryChanges(). A fix helps if by one of these sets the mesh has fewer
+/// faults, and by none more, or if one mesh is sound and none was before. Fails if cancelled.
+/// Deterministic.
 Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress = {},
                 std::uint64_t work = kWorkOfFixes);
 

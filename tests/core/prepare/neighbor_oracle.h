@@ -1,4 +1,4 @@
-/// OraclePoints for the tests of the neighbor search, and lists found by comparing all pairs.
+/// Points for the tests of the neighbor search, and lists found by comparing all pairs.
 #pragma once
 
 #include <algorithm>

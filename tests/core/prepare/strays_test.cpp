@@ -51,7 +51,7 @@ std::vector<Index> straysOf(const std::vector<Vec3>& position, unsigned threads 
     return found;
 }
 
-/// Those of an even sphere with other points put before it.
+/// The strays of an even sphere with other points put before it.
 std::vector<Index> straysBeside(std::vector<Vec3> others) {
     const std::vector<Vec3> sphere = evenSphere();
     others.insert(others.end(), sphere.begin(), sphere.end());

@@ -1,4 +1,4 @@
-/// One step of relaxation: every particle moves against the repulsion of its neighbors by a damped
+/// One step of relaxation: every particle gives way to the repulsion of its neighbors by a damped
 /// Newton step of its own (Jacobi), plus a part of its last move, and is projected back onto the
 /// surface along the gradient. Particles on walls move along their curve only. All moves start from
 /// the old positions, so that the result does not depend on threads. O(n) for n particles.

@@ -1,6 +1,7 @@
 /// The best filling of each part of the ring, from short parts to long ones: a triangle stands on
 /// the edge from one end of a part to the other, and the parts on both sides of its third corner
-/// are known (Barequet and Sharir 1995). Tried for the least angle first, then for the area.
+/// are known (Barequet and Sharir 1995). Tried for the least angle first, then for the area; around
+/// a point inside, for the least angle alone.
 #include "spiraling_edge/stepper/robust/hole_filling.h"
 
 #include <utility>

@@ -54,7 +54,7 @@ class FillingSearch {
     /// area; empty if there is none. Dynamic programming over parts of the ring (Barequet and
     /// Sharir 1995), O(n^3), unless a side of the ring is blocked: 97 in 100 of the rings without a
     /// filling have such a side. Around a point inside, each side in turn gets a triangle with that
-    /// point, O(n^4).
+    /// point, and only the least angle is tried, O(n^4).
     Filling find();
     /// The first side of the ring, from number `from` on, at which every triangle has a fault; the
     /// number of sides if there is none.
@@ -80,8 +80,8 @@ class FillingSearch {
     template <typename Goal>
     friend class FillingTable;
 
-    /// Result of the tests of a triangle of the ring: it fits if it has no fault but maybe a
-    /// conflict.
+    /// Result of the tests of a triangle of the ring: it fits if it has no fault, conflicts not
+    /// counted.
     enum class Known : std::uint8_t { Nothing, Fit, Sound, Faulty };
     Known& known(const RingTriangle& t) {
         const std::size_t count = ring_.size() + 1;
@@ -95,9 +95,10 @@ class FillingSearch {
     Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: asked first.
 };
 
-/// Replaces the triangles of a patch by a filling, once it is grown to one of these numbers of
-/// triangles or as far as it goes, those nearest to the first before others. The number of
-/// triangles that the filling has not itself; 0 if no patch of these has a filling.
+/// Grows a patch to each of these numbers of triangles in turn, or as far as it goes, by those
+/// nearest to the first before others, until it has a filling other than its triangles, which these
+/// are replaced by. Returns how many of them the filling lacks; 0 if no patch of these sizes has
+/// such a filling.
 Index replacePatch(const PointSet& points, RepairState& repair, HoleRing& patch,
                    std::span<const std::size_t> sizes);
 

@@ -122,7 +122,7 @@ void setSound(RepairState& m, Index t) {
     m.sound.set(t, 1);
 }
 
-/// isSound(), asked for the first time.
+/// True if the triangle is neither flipped nor in conflict: isSound() without RepairState::sound.
 bool hasNoFault(const PointSet& points, const RepairState& m, const MeshTree& tree, Index t) {
     return shapeFaults(points, m.triangles[t]) < kFlippedFault &&
            !ConflictSearch(points, m, tree, m.triangles[t])

@@ -87,8 +87,8 @@ struct RepairPhase {
     bool (*isOn)(const RobustRules& rules, std::uint32_t round);
 };
 constexpr RepairPhase kOrder[] = {
-    // Only in the last but one: until then, filling the holes that meet at a point may leave it one
-    // fan.
+    // Only in the last round but one: until then, filling the holes that meet at a point may leave
+    // it a single fan.
     {Phase::DropFans,
      [](const RobustRules& rules, std::uint32_t round) {
          return rules.dropPatches && round == kSettlingRound;
@@ -98,7 +98,7 @@ constexpr RepairPhase kOrder[] = {
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
-    // What the second round would repair, the third one does.
+    // Not in the second round: the third one repairs what that would.
     {Phase::Remesh,
      [](const RobustRules& rules, std::uint32_t round) { return rules.remesh && round != 1; }},
 };

@@ -1,5 +1,5 @@
 /// RobustRules::dropPatches: a component of a few triangles beside a larger one, a late patch over
-/// the finished surface, is taken out; in the last round, at each point, all fans but the largest.
+/// the finished surface, is taken out; in the third round, at each point, all fans but the largest.
 /// RobustRules::reinsert may put their points back.
 #include <algorithm>
 #include <limits>

@@ -1,13 +1,14 @@
 /// RobustRules::reinsert: a stranded point gets the place of a triangle nearby, and of as many of
 /// its neighbors as must go with it so that none of the new triangles has a fault; or a side at the
 /// border, which it divides or is joined to. Of all places the one with the best angles is taken. A
-/// point farther than three local spacings from the mesh stays out.
-/// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
+/// point farther than three local spacings from the mesh stays out. After Bowyer and Watson (1981),
+/// with faults instead of circumspheres as the test.
+///
 /// From kSettlingRound on, a point without such a place is put inside a patch, which is filled
-/// around it. At the end, a point that fits nowhere without a fault takes the place where the new
-/// triangles have at most one fault more than those they replace, since the point itself, in no
-/// triangle, is one. Of several places the one with the isEarly faults is taken, then the one with
-/// the best angles. A new triangle is never flipped.
+/// around it. When every point has had its turn, one that fits nowhere without a fault takes a
+/// place whose new triangles have at most one fault more than those that they replace, since the
+/// point itself, in no triangle, is one. Of several such places the one that adds the fewest faults
+/// is taken, then the one with the best angles. A new triangle is never flipped.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -176,7 +177,8 @@ struct NewTriangle {
     bool foldedAcross = false;
 };
 
-/// Number of triangles, the nearest ones, that are tried as the place before kSettlingRound.
+/// Number of the nearest triangles that are tried: before kSettlingRound as the place, from then on
+/// as the first of a patch.
 constexpr std::size_t kNearest = 4;
 
 /// Largest number of triangles that make room for a point at a price.
@@ -207,7 +209,7 @@ class PlaceSearch {
         }
         return best_;
     }
-    /// The place that adds the isEarly faults, of equal ones that with the best angles.
+    /// The place that adds the fewest faults; of equal ones, the one with the best angles.
     std::optional<Change> findCheapest() {
         forEachPlace([&](const Change& place) { countFaults(place); });
         return best_;
@@ -241,7 +243,7 @@ class PlaceSearch {
         if (!t.conflicts) t.conflicts = conflictsOf(points_, m_, t.shaped.triangle);
         return *t.conflicts;
     }
-    /// True if new triangle `i` is folded onto the old one across its side.
+    /// True if a new triangle is folded onto the old one across its side, that of the side `outer`.
     bool isFoldedAcross(NewTriangle& t, HalfEdge outer) {
         if (outer == kNone) return false;
         if (std::exchange(t.outer, outer) != outer)
@@ -300,7 +302,7 @@ class PlaceSearch {
         return k < i;
     }
 
-    // With the isEarly faults:
+    // With the fewest faults:
 
     /// The faults of the triangles that a place replaces.
     int faultsOfGone(const Change& place) {

@@ -10,7 +10,7 @@ namespace {
 
 /// Numbers of triangles that are replaced at once, tried in this order.
 constexpr std::size_t kPatchSizes[] = {4, 10};
-/// Numbers of triangles that are replaced with those at a corner.
+/// Number of triangles beyond those at a corner that are replaced with them, in a second try.
 constexpr std::size_t kBeyondCorner = 6;
 /// The search takes O(n^4) for a ring of n points, so that corners of more triangles are left.
 constexpr std::size_t kMostAtCorner = 24;

@@ -111,8 +111,8 @@ int countConflicts(const PointSet& points, RepairState& m, std::span<const Trian
 /// True if the triangle is so far off the normal of a corner that it may be in conflict.
 bool isRough(const PointSet& points, const RepairState& m, Index t);
 
-/// True if the triangle was neither flipped nor in conflict when that was asked for the first time
-/// with these corners.
+/// True if the triangle is neither flipped nor in conflict, or was found so once since it got these
+/// corners (RepairState::sound).
 bool isSound(const PointSet& points, RepairState& m, Index t);
 
 /// True if the triangle is rough and not sound; found out once for a triangle that is not.
