@@ -57,7 +57,8 @@ struct InspectedMesh {
     FaultSearch search;                           ///< Empty unless assigned.
     std::vector<Index> lostPoints;                ///< Points in no triangle, neither set aside nor
                                                   ///< unfit for any mesh; ascending.
-    std::size_t twins = 0;                        ///< Points in no triangle beside a twin in one.
+    std::size_t twins = 0;                        ///< Points in no triangle beside a twin in one,
+                                                  ///< or along a line.
     double meanEdge = 0.0;                        ///< Length.
     std::vector<std::size_t> componentTriangles;  ///< By the least point of a component.
     std::vector<BoundaryLoop> loops;              ///< By least point.

@@ -58,7 +58,8 @@ std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLo
     return countWhere(judge.openings, isClosed);
 }
 
-/// Counts points in no triangle by reason, and those that are covered.
+/// Counts strays and noise in no triangle, the points that a mesh should have, and those of them
+/// that are not covered.
 void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
                  std::span<const double> distance, const std::vector<bool>& used,
                  MeshVerdict& verdict) {

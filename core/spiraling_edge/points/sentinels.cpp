@@ -244,8 +244,8 @@ ValueRange valueRangeOf(std::vector<double>& values) {
     return {low + 0.5 * (high - low), high - low};
 }
 
-/// True for values that only a file without a value has: 999, 9999 and so on, -32768, any from
-/// 1e30.
+/// True for values that only stand for a missing one: 999, 9999 and so on, -32768 and -32767, any
+/// from 1e30.
 bool isNeverMeasured(double value) {
     constexpr double kLeastOfTwo = -32768.0;
     return isNamedSentinel(value) && !isRound(value) &&

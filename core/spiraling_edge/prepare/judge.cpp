@@ -51,7 +51,7 @@ Status findSurroundings(const PointFile& file, const std::vector<bool>& without,
     return success();
 }
 
-/// Measures the given normals, and turns those that are flipped; empty if there are none, or if the
+/// Measures the given normals, and turns those that are flipped; empty if none is, or if the
 /// normals do not fit.
 std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& intake,
                                InputFacts& facts) {
@@ -237,7 +237,7 @@ Result<Prepared> preparedFor(const PointFile& file, const PrepareOptions& option
 /// Takes the numbers that preparing has found.
 void takeReport(const PrepareReport& report, InputFacts& facts) {
     facts.aside = report.aside;
-    // Strays are left out of the preparation by their name.
+    // Strays were given to the preparation as points to leave out.
     std::swap(facts.aside[static_cast<std::size_t>(Aside::Stray)],
               facts.aside[static_cast<std::size_t>(Aside::LeftOut)]);
     facts.aside[static_cast<std::size_t>(Aside::No)] = facts.points - report.countAside();

@@ -123,7 +123,7 @@ class Spokes {
 /// Number of neighbors used: longer lists reach beyond the points around a point, and over narrow
 /// openings.
 constexpr std::size_t kNearestOfRim = 12;
-/// Of three points of a chain, this many must be candidates, and on no wall.
+/// Of three points of a chain, this many must be candidates.
 constexpr std::size_t kOfThree = 2;
 
 /// True if neighbors lie in all six sectors of 60 degrees about p: a gap of 120 degrees would leave

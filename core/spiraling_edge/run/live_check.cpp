@@ -87,7 +87,7 @@ class LiveCheck::Checker {
           used_(points.size(), false),
           trianglesAt_(points.size()) {}
 
-    /// Triangles of before the run.
+    /// Takes the triangles from before the run, whose failures are not reported.
     void take(std::span<const Triangle> given) {
         std::vector<LiveFailure> notOfTheRun;
         found_ = &notOfTheRun;

@@ -89,8 +89,9 @@ struct RobustRules {
     /// instead of being freed: its points stay USED, and other components may join it. When no seed
     /// is left, it is taken up again.
     bool shelve = false;
-    /// A ring that would be freed with interior points is closed by ears, best least angle first,
-    /// unless it is too long or too wide, or longer than five and an opening.
+    /// A ring that would be freed is closed by ears, best least angle first, unless it is too long
+    /// or too wide, or an opening. One of up to five is an opening only where the surface ends at
+    /// every point and the ring runs around a patch.
     bool fill = false;
     /// After the last pivot: a component of a few triangles beside a larger one is taken out; in
     /// the third round, at each point, all fans but the largest. `reinsert` may put their points

@@ -137,9 +137,10 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 /// distance to the sixth neighbor). Nothing if no point is left to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
-/// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most
-/// 64 points, Params::maxFillLength and Params::maxFillWidth, if no new triangle has a fault.
-/// Nothing if none is left.
+/// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most 64
+/// points, Params::maxFillLength and Params::maxFillWidth, if no new triangle has a fault. Where
+/// the user limits holes (Params::limitsHoles()), those limits take the place of that width, and
+/// openings are filled, too. Nothing if none is left.
 std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
                                                RepairState& repair);
 

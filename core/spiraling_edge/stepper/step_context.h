@@ -129,7 +129,8 @@ void phaseGuard(AnyContext auto& context);
 /// refuse the fan.
 bool manifoldRefuses(const StepContext& context);
 /// True if a rule on faults of shape (RobustRules::noFold, RobustRules::noCross,
-/// RobustRules::noMeet, RobustRules::noLayer) would refuse the fan.
+/// RobustRules::noMeet, RobustRules::noLayer, beyondWall() of RobustRules::rim) would refuse the
+/// fan.
 bool shapeRefuses(const StepContext& context);
 // robust/fill.cpp: beyond the paper
 void phaseFill(AnyContext auto& context);

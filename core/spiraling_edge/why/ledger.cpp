@@ -189,7 +189,7 @@ class CauseFinder {
                " points nearest to it";
     }
 
-    /// Neither end ever tested the other.
+    /// The cause where neither end ever tested the other.
     Cause untestedEdge(const Subject& edge) const {
         const std::size_t line = lastAbout(edge);
         for (const Index end : edge.points()) {
@@ -235,7 +235,7 @@ class CauseFinder {
         return latest.line != kNoLine ? latest : allEdgesTaken();
     }
 
-    /// All three edges are in the mesh: the other triangles at them came first.
+    /// The cause where all three edges are in the mesh: the other triangles at them came first.
     Cause allEdgesTaken() const {
         const std::size_t emit =
             last([](const LedgerLine& line) { return isA<EmitEvidence>(line.event); });
@@ -291,7 +291,7 @@ class FilledGaps {
     }
 
   private:
-    /// Two on a ring of two, where first and last are one point.
+    /// The angles of a point: two on a ring of two, where first and last are one point.
     std::vector<double> anglesOf(Index p) const {
         std::vector<double> found;
         for (const auto& [point, angle] : angles_) {
@@ -299,7 +299,7 @@ class FilledGaps {
         }
         return found;
     }
-    /// The narrowest gap between two corners.
+    /// Adds the narrowest gap between two corners.
     void addGap(const Triangle& made) {
         std::optional<std::pair<double, double>> least;
         for (const auto& [p, q] :
@@ -478,8 +478,8 @@ class LedgerBuilder {
                                      },
                                      [](const AlertEvidence&) { return false; },
                                      [&](const auto& e) {
-                                         // Of §7: the other side of the pivot would stay open
-                                         // (docs/robust.md).
+                                         // Events that name their pivot, the test of a third
+                                         // point (§7) among them.
                                          if constexpr (requires { e.pivot; }) return any({e.pivot});
                                          // A test is no fact.
                                          if constexpr (requires { e.verdict; }) return false;

@@ -333,7 +333,7 @@ TEST_CASE("doctor: close_sheets accuses if it is the set as a whole") {
     const Diagnosis diagnosis = examined(file);
     CHECK(problemNames(diagnosis) == "close_sheets ");
 
-    // The same as a small part of a larger set is a fact of its shape.
+    // As a small part of a larger set, the same sheets are a fact of its shape, and no problem.
     append(file, moved(flatLattice(40, 0.2, 3), Vec3(100, 0, 0)));
     const Diagnosis thinPart = examined(file);
     CHECK(problemNames(thinPart) == "");

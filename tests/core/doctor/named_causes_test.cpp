@@ -36,8 +36,8 @@ struct Cause {
     std::string also{};  ///< Another check that may be right as well.
 };
 
-/// Share of the planted files in which the check alone is found, in percent, and its words are
-/// said.
+/// Share of the planted files, in percent, in which this check alone finds a problem, and its text
+/// has the words of the cause.
 double shareFound(const std::string& check, const std::vector<Cause>& causes) {
     int count = 0;
     int right = 0;

@@ -292,7 +292,7 @@ TEST_CASE("given normals: those of the shared sets fit, and tilted or constant o
     std::sort(paths.begin(), paths.end());
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const PointFile file = readPoints(paths[i]).value();
-        // Large sets take long, and are as others of their kind.
+        // Large sets take long, and show nothing that smaller ones of their kind do not.
         if (!file.hasNormals() || file.position.size() > 15'000) continue;
         const std::size_t half = i % 2;
         const MeshJudge judge = judgeOf(file);

@@ -1,4 +1,4 @@
-/// RobustRules::fill: a ring that would be freed with interior points is closed by ears.
+/// RobustRules::fill: a ring that would be freed is closed by ears, unless the surface ends there.
 #include <doctest/doctest.h>
 
 #include <algorithm>

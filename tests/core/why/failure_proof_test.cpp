@@ -51,7 +51,7 @@ const RunFailure& firstOf(const RunFailureSearch& found, std::string_view name) 
     return *first;
 }
 
-/// With these preparations, judged as the run is.
+/// The scope of a search with these preparations, judged as the run is.
 ProofScope scopeOf(const std::vector<OtherPreparation>& preparations) {
     ProofScope scope;
     scope.alternatives = [=](const Progress&) -> Result<Alternatives> {

@@ -233,7 +233,7 @@ TEST_CASE("run comparison: each triangle is made at its address") {
 
 TEST_CASE(
     "run comparison: triangles of both windings on three points each have their own address") {
-    // A seed with a single further neighbor; the rule takes no patch out beside nothing larger.
+    // A seed with a single further neighbor; the rule takes a patch out only beside a larger one.
     const PointSet points = flatPoints({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const Params params = paperBut(&RobustRules::dropPatches);
     const auto made = makeMesh({points, params});

@@ -50,7 +50,7 @@ TEST_CASE("trials: what is offered has faults at fewer places than the open run"
     CHECK(isOffered({trialWith(10), trialWith(9, 0, kRobust)}, 1));
     CHECK_FALSE(isOffered({trialWith(10), trialWith(10, 0, kRobust)}, 1));
     CHECK_FALSE(isOffered({trialWith(10), trialWith(11, 0, kRobust)}, 1));
-    // At as many places, what loses fewer points.
+    // At as many places, the one that loses fewer points.
     CHECK(isOffered({trialWith(10, 1), trialWith(10, 0, kRobust)}, 1));
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("trials: what is offered is worse than plain robust in no count") {
 }
 
 TEST_CASE("trials: what is offered has faults at no more places than plain robust") {
-    // Of the first trial it is worse in no count, while robust is.
+    // The last one is worse than the first in no count, while `robust` loses more points.
     const Trial robust = trialWith(3, 2, kRobust);
     CHECK_FALSE(isOffered({trialWith(10, 1), robust, trialWith(4, 1, kSixteen)}, 2));
     CHECK(isOffered({trialWith(10, 1), robust, trialWith(3, 1, kSixteen)}, 2));
@@ -107,7 +107,7 @@ TEST_CASE("trials: a sound mesh without a change needs no other") {
 }
 
 TEST_CASE("trials: a mesh without a triangle is neither sound nor good enough") {
-    // Of two points no run makes one.
+    // From two points no run makes a triangle.
     PointFile file;
     file.position = {Vec3(0.0), Vec3(1.0, 0.0, 0.0)};
     file.normal.assign(2, Vec3(0.0, 0.0, 1.0));

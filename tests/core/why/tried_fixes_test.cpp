@@ -1,5 +1,5 @@
-/// The doctor's advice, tried on files with planted faults: what is said of a command is what
-/// another run of it comes to.
+/// The doctor's advice, tried on files with planted faults: the effect that is reported of a
+/// command is that of another run of it.
 #include "spiraling_edge/why/tried_fixes.h"
 #include "spiraling_edge/spec/run_spec.h"
 

@@ -108,7 +108,8 @@ LimitTest testLimit(const StepContext& context, Side side) {
     return test;
 }
 
-/// The verdict on a candidate next on the ring beyond start or end, which stayed by this one.
+/// The verdict on a candidate next on the ring beyond start or end, by the verdict by which that
+/// limit stayed.
 Verdict verdictBeyond(Verdict stayed) {
     switch (stayed) {
         case Verdict::NotConcave:

@@ -103,8 +103,8 @@ void closeRingIfFinished(AnyContext auto& context, Index ring) {
     if (!lone) releaseElsewhere(context, b, Stage::Ring);
 }
 
-/// True if the entry is alive and its two ring neighbors are entries of one point. Inline: rarely
-/// true.
+/// True if the entry is alive and its two ring neighbors are entries of one point. Inline, since it
+/// is rarely true.
 [[gnu::always_inline]] inline bool isBetweenEntriesOfOnePoint(const EdgeRings& rings, Index entry) {
     return rings.alive(entry) && rings.point(rings.prev(entry)) == rings.point(rings.next(entry));
 }
@@ -229,7 +229,7 @@ void phaseLink(AnyContext auto& context) {
     }
     if (s.rings.active() != kNone) closeRingIfFinished(context, s.rings.active());
     for (const Index e : {s.pivot.start, s.pivot.end}) {
-        // Here too, since the call would cost 1 percent of a run.
+        // closeEdgeIfFinished() tests this as well; without the call a run takes 1 percent less.
         if (isBetweenEntriesOfOnePoint(s.rings, e)) closeEdgeIfFinished(context, e);
     }
     // A single candidate between two entries of one point.
@@ -316,7 +316,7 @@ void freeActiveRing(AnyContext auto& context) {
         const bool isInterior = !isBoundary(context.points.type[x]);
         if (isInterior && example == kNone) example = x;
         releaseElsewhere(context, e, Stage::Done);
-        // A point may have several entries on it.
+        // A point may have several entries on the ring.
         if (isInterior && !isOnRing(s.rings, x, ring)) ++interior;
     }
     if (example == kNone) example = head;
@@ -374,7 +374,7 @@ void advanceAfterTriangles(AnyContext auto& context) {
     s.circuit = 0;
     s.retryLevel = 0;
     Index entry = nextEntry(context);
-    // Not the part of end stays active.
+    // The part that stays active need not hold end.
     if (paperRules(context).active != ActiveRule::End && s.rings.active() != kNone &&
         s.rings.ringOf(entry) != s.rings.active()) {
         entry = s.rings.head(s.rings.active());
@@ -406,7 +406,7 @@ bool relaxRules(AnyContext auto& context) {
 }
 
 /// True if the active ring is to wait for other components (RobustRules::shelve), after delayed
-/// fans were tried. A seed without a triangle is not.
+/// fans were tried. A seed without a triangle does not wait.
 bool mayShelve(const AnyContext auto& context) {
     const State& s = context.state;
     const RobustRules& rules = context.params.robust;

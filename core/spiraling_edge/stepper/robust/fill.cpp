@@ -1,5 +1,6 @@
-/// Beyond the paper: RobustRules::fill. A ring that would be freed with interior points is a hole;
-/// it is closed by ears, each a pivot with first and last alone, the best least angle first.
+/// Beyond the paper: RobustRules::fill. A ring that would be freed is a hole, unless the surface
+/// ends there; it is closed by ears, each a pivot with first and last alone, the best least angle
+/// first.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -133,8 +134,8 @@ bool mayForce(const StepContext& context) {
            !isOpening(context, shapeOfRing(context));
 }
 
-/// The faults of a triangle that a rule refuses: of its shape, and conflicts with finished ones
-/// near.
+/// The faults of a triangle that a rule refuses: one for the refusal, those of its shape, and
+/// conflicts with finished ones near.
 int faultsOf(const StepContext& context, const Triangle& made) {
     const State& s = context.state;
     std::vector<Index> near;
@@ -151,7 +152,7 @@ int faultsOf(const StepContext& context, const Triangle& made) {
     return faults;
 }
 
-/// The best ear of the active ring; no entry if the guard refuses all. O(ring).
+/// The best ear of the active ring; no entry if rules refuse all. O(ring).
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();

@@ -243,7 +243,7 @@ class PlaceSearch {
         if (!t.conflicts) t.conflicts = conflictsOf(points_, m_, t.shaped.triangle);
         return *t.conflicts;
     }
-    /// True if a new triangle is folded onto the old one across its side, that of the side `outer`.
+    /// True if a new triangle is folded onto the old one across its side, that of `outer`.
     bool isFoldedAcross(NewTriangle& t, HalfEdge outer) {
         if (outer == kNone) return false;
         if (std::exchange(t.outer, outer) != outer)

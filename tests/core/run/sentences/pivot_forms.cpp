@@ -283,7 +283,7 @@ void afterOther(C& c) {
     c.need(!c.w.joined(at.from, at.point) || !c.w.lists(c.w.p, at.point) ||
                !isInside(c, at.point, -kSlackDegrees) ||
                at.to == (at.atStart ? c.w.end : c.w.start) ||
-               !c.w.params.readings.limitsFirst ||  // It may have no turn again.
+               !c.w.params.readings.limitsFirst ||  // It may get no second test.
                !c.w.params.paper.limits,
            "for another reason");
 }

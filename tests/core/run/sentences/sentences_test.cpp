@@ -149,7 +149,7 @@ TEST_CASE("sentences: each follows from points and state, and each verdict occur
     MESSAGE(tableOf(tally));
     for (const auto& [claim, sentences] : tally.wrong)
         CHECK_MESSAGE(sentences.empty(), claim, ", ", sentences.size(), ": ", sentences.front());
-    if (kSanitized) return;  // Fewer runs reach not all of them.
+    if (kSanitized) return;  // Fewer runs do not reach all of them.
     for (const StageRow& stage : stageTable()) {
         const auto occurs = [&](const auto& each) { return each.first.first == stage.id; };
         CHECK_MESSAGE(std::any_of(tally.checked.begin(), tally.checked.end(), occurs), stage.name);
