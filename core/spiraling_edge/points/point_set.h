@@ -114,7 +114,7 @@ struct PointSet {
     std::vector<Index> order;
     /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
     std::vector<Aside> aside;
-    /// What a mesh of these points is judged by. Null: these points themselves.
+    /// The judge of a mesh of these points. Null: these points themselves.
     std::shared_ptr<const MeshJudge> judge;
 
     Aside asideOf(Index p) const { return p < aside.size() ? aside[p] : Aside::No; }

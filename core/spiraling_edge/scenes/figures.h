@@ -47,7 +47,7 @@ struct Figure {
     std::string_view names = {};  ///< Of points, each after its number: "15 p 20 first".
     std::span<const FigureExpectation> expectations = {};
     FigureRule rule = {};           ///< The rule that it is about.
-    std::string_view absence = {};  ///< What happens without it,
+    std::string_view absence = {};  ///< The effect of its absence,
     /// ... and the decisions that show it; an empty outcome: there is no such decision.
     std::span<const FigureExpectation> without = {};
     /// A class of faults that the mesh has without the rule, and has not with it.

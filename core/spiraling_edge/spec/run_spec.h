@@ -41,8 +41,8 @@ struct WallChoice {
     }
 };
 
-/// What is run. Points are taken in this order: the source, its piece, without those left out,
-/// after the doctor's fixes; then they are prepared.
+/// The description of a run. Points are taken in this order: the source, its piece, without those
+/// left out, after the doctor's fixes; then they are prepared.
 struct RunSpec {
     /// A path, `-`, `scene:ID`, or another name that the program knows.
     std::string source;

@@ -7,7 +7,7 @@
 
 namespace se {
 
-/// What a session opens.
+/// The content of a session: points, run, and the place to open at.
 struct SessionStart {
     std::string points;   ///< Path of the points, relative to the session.
     RunSpec spec;         ///< Its source is not used.

@@ -161,7 +161,7 @@ Status keep(RunSpec& spec, std::string_view text) {
 constexpr char kOpposing[] = "opposing";
 constexpr char kNoise[] = "noise";
 constexpr char kStrays[] = "strays";
-/// What is kept shows among the rules.
+/// No texts of its own: the rule that keep() turns off shows among the rules.
 Texts noTexts(const RunSpec&) { return {}; }
 
 // ---- lists ----

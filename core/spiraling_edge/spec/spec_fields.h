@@ -18,7 +18,7 @@ namespace se {
 
 enum class Fix : std::uint8_t;  // doctor/doctor.h
 
-/// What a field is about: a verb that does not run takes only some.
+/// The subject of a field: a verb that does not run takes only some.
 enum class SpecGroup : std::uint8_t {
     Reading,  ///< How much is read, and which part of it.
     Rules,
@@ -36,7 +36,7 @@ enum class SpecType : std::uint8_t {
     Rule,     ///< NAME=VALUE, an entry of an object.
 };
 
-/// Most neighbors that can be asked for; a larger number is taken for a typing error.
+/// Maximum number of neighbors that can be set; a larger number is taken for a typing error.
 inline constexpr std::size_t kMostNeighbors = 1'000'000;
 
 /// One row of the table.

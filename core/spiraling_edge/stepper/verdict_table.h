@@ -36,8 +36,8 @@ struct VerdictRow {
 std::span<const VerdictRow> verdictTable();
 const VerdictRow& rowOf(Verdict verdict);
 
-/// True if a decision took the tested point: kept, moved to, filled, inserted. Whoever shows a
-/// decision follows this, not the numbers of its test: a rule or a what-if may override them.
+/// True if a decision took the tested point: kept, moved to, filled, inserted. Code that shows a
+/// decision must follow this, not the numbers of its test: a rule or a what-if may override them.
 bool isTaken(Verdict verdict);
 /// True for the verdict of a what-if, whatever the test would have decided.
 constexpr bool isWhatIf(Verdict verdict) {

@@ -45,7 +45,7 @@ Ledger ledgerOf(const RunFailure& failure);
 
 /// The question why a failure is in the mesh of a run, in the same way: its moments and the
 /// decisions that it may come from, with the one that, inverted, takes it away. Preferred is one
-/// that leaves no new failure of its class in its place. A point in no triangle is asked about as a
+/// that leaves no new failure of its class in its place. A point in no triangle is treated as a
 /// subject. `known`: all failures of the run. An inspection of the mesh for each inversion. Fails
 /// if cancelled. Deterministic.
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const RunFailure& failure,

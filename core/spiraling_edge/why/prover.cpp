@@ -254,7 +254,7 @@ class Prover {
     double share_ = 0.0;              ///< Of the work, for the progress.
 };
 
-/// What the inversion does: the words after the name.
+/// The effect of the inversion: the words after the name.
 std::string wordsOf(const Ledger& ledger, const Proof& proof) {
     if (proof.effect == Effect::Replaced)
         return ", and with this decision inverted another would be in its place: ";

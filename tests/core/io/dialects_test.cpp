@@ -1,4 +1,5 @@
-// What other programs write beyond a format's letter: read, kept, or said to be left out.
+// Files of other programs beyond a format's letter: the rest is read, kept, or reported as left
+// out.
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -52,7 +52,7 @@ std::vector<Vec3> randomCloud(std::uint64_t seed, std::size_t count, const Vec3&
     return position;
 }
 
-/// What thinning keeps, by comparing each point with all that were kept before.
+/// The points that thinning keeps, by comparing each point with all that were kept before.
 std::vector<bool> thinnedByHand(const std::vector<Vec3>& position, double spacing) {
     std::vector<bool> keep(position.size());
     for (std::size_t p = 0; p < position.size(); ++p) {

@@ -76,8 +76,8 @@ class Relaxation {
         return isBoundary(old_.type[i]) ? shoveAlongWall(i) : shoveInside(i);
     }
 
-    /// Calls see(j, d, distance, reach) for all j that push particle i: the vector from j to i, its
-    /// length, and the length at which the push ends.
+    /// Calls visit(j, d, distance, reach) for all j that push particle i: the vector from j to i,
+    /// its length, and the length at which the push ends.
     template <typename Visit>
     void pushers(std::size_t i, Visit&& visit) const {
         const Vec3 x = old_.position[i];

@@ -71,8 +71,9 @@ void phaseRing(AnyContext auto& context) {
 
 namespace {
 
-/// The entry at which the traversal continues: end; if that was removed with a closed ring, the
-/// last inserted entry that is left, else start. kNone if nothing is left.
+/// The entry at which the traversal continues: end, or start by PaperRules::next. If that was
+/// removed with a closed ring: end, else the last inserted entry that is left, else start. kNone if
+/// nothing is left.
 Index nextEntry(const AnyContext auto& context) {
     const State& s = context.state;
     if (paperRules(context).next == NextRule::Start && s.rings.alive(s.pivot.start)) {
@@ -148,8 +149,8 @@ void closeEdgesAtLinks(AnyContext auto& context) {
     }
 }
 
-/// §6.5: true if the part with x is pushed. The other holds end, unless PaperRules::active chooses
-/// differently.
+/// §6.5: true if the part with x is pushed. The other holds nextEntry(), usually end, unless
+/// PaperRules::active chooses differently.
 bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
     const EdgeRings& rings = context.state.rings;
     const bool endIsElsewhere = rings.ringOf(nextEntry(context)) != exchange.ringOfX;

@@ -92,7 +92,7 @@ class FillingSearch {
     RepairState& m_;
     const HoleRing& ring_;
     std::vector<Known> known_;
-    Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: asked first.
+    Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: tested first.
 };
 
 /// Grows a patch to each of these numbers of triangles in turn, or as far as it goes, by those

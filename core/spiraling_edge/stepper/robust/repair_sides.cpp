@@ -1,5 +1,5 @@
-/// Triangles stay without gaps in their list, each side with its twin: whoever changes one, pairs
-/// it.
+/// Triangles stay without gaps in their list, each side with its twin: code that changes a triangle
+/// must pair its sides.
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 #include <algorithm>
