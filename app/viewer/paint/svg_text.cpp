@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dial_painter.h"
+#include "text_cut.h"
 
 namespace se::view {
 
@@ -211,7 +212,9 @@ void SvgPainter::text(glm::vec2 at, const std::string& words, const Ink& ink, co
 }
 
 glm::vec2 SvgPainter::textSize(const std::string& words, const Type& type) const {
-    return {kMeanLetter * type.size * static_cast<float>(words.size()), type.size};
+    const auto letters = std::count_if(words.begin(), words.end(),
+                                       [](char byte) { return !continuesSign(byte); });
+    return {kMeanLetter * type.size * static_cast<float>(letters), type.size};
 }
 
 void SvgPainter::setPoint(Index point) {
