@@ -136,7 +136,7 @@ SampleQuality measureSample(const Field& field, const PointFile& points, const P
         squares += distance * distance;
         count += 1.0;
     }
-    if (count == 0.0) return quality;
+    if (count == 0.0) return {};
     quality.spacing = sum / count;
     const double variance = squares / count - quality.spacing * quality.spacing;
     quality.variation = std::sqrt(std::max(variance, 0.0)) / quality.spacing;
