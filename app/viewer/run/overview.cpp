@@ -164,7 +164,8 @@ RunObserver::RunObserver(const Model& model, const State& start)
     : model_(model),
       before_(start.counters),
       alerts_(start.alerts.size()),
-      triangles_(start.triangles.size()) {
+      triangles_(start.triangles.size()),
+      lanes_(model.params.paper.stack) {
     if (model.points.size() <= kMaxWatched) live_.emplace(model.points, model.params.start);
     lanes_.begin(start.rings);
 }

@@ -37,6 +37,7 @@ void LaneTracker::begin(const EdgeRings& rings) {
         note(LaneChangeKind::Seed, added.lane, added.lane, added.number);
     };
     for (const Index ring : rings.stack()) add(ring);
+    shelved_ = rings.shelved();
     if (rings.active() != kNone) add(rings.active());
 }
 
@@ -62,11 +63,11 @@ void LaneTracker::take(const Event& event) {
                        closeRing(close.b == kNone ? 1 : 2);
                    },
                    [&](const AdvanceEvidence& advance) {
-                       const bool next = advance.popped && !active_ && !stack_.empty();
-                       if (next) activate(stack_.size() - 1);
+                       if (advance.popped) pop();
                    },
                    [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
                    [&](const TakeUpEvidence&) {
+                       shelved_ = 0;
                        if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
                    },
                    [&](const FreeEvidence& free) {
@@ -124,6 +125,7 @@ std::optional<std::size_t> LaneTracker::freshOfLength(Index length) const {
 LaneTracker::Ring LaneTracker::unstack(std::size_t place) {
     const Ring ring = stack_[place];
     stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(place));
+    if (place < shelved_) --shelved_;
     return ring;
 }
 
@@ -193,7 +195,13 @@ void LaneTracker::shelveActive(Index shelved) {
     if (!active_) return;
     const std::size_t place = std::min<std::size_t>(shelved, stack_.size());
     stack_.insert(stack_.begin() + static_cast<std::ptrdiff_t>(place), *active_);
+    shelved_ = place + 1;
     active_.reset();
+}
+
+void LaneTracker::pop() {
+    if (active_ || stack_.size() <= shelved_) return;
+    activate(rule_ == StackRule::First ? shelved_ : stack_.size() - 1);
 }
 
 void LaneTracker::activate(std::size_t place) {

@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/stepper/edge_ring.h"
 #include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 
@@ -55,6 +56,9 @@ class LaneTracker {
         Index number = 0;    ///< As EdgeRings::number().
     };
 
+    /// `rule`: that of the run (PaperRules::stack).
+    explicit LaneTracker(StackRule rule = StackRule::Last) : rule_(rule) {}
+
     /// Gives the rings of a given start their lanes. Call it before the first event.
     void begin(const EdgeRings& rings);
     /// Takes the next event of the run.
@@ -84,6 +88,8 @@ class LaneTracker {
     /// Removes a ring from the stack.
     Ring unstack(std::size_t place);
     void activate(std::size_t place);
+    /// Activates the ring that the rule takes off the stack.
+    void pop();
     /// Puts the active ring above the first `shelved` rings of the stack.
     void shelveActive(Index shelved);
     void endActive(LaneChangeKind kind);
@@ -91,8 +97,10 @@ class LaneTracker {
     void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other, Index ring = 0);
     std::uint32_t freeLane();
 
+    StackRule rule_;
     std::optional<Ring> active_;
     std::vector<Ring> stack_;
+    std::size_t shelved_ = 0;  ///< Of the stack, at its bottom.
     std::vector<LaneChange> changes_;
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;
     std::uint32_t lanes_ = 0;

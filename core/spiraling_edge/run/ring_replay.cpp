@@ -128,6 +128,7 @@ bool RingReplay::nextLink(Index point) {
 }
 
 Index RingReplay::nextEntry() const {
+    if (rules_.next == NextRule::Start && rings_.alive(start_)) return start_;
     if (rings_.alive(end_)) return end_;
     const auto left = std::find_if(inserted_.rbegin(), inserted_.rend(),
                                    [&](Index e) { return rings_.alive(e); });

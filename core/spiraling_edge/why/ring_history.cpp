@@ -56,7 +56,8 @@ struct Making {
 /// Follows the rings of a run by their lanes up to the place of the query, and collects the answer.
 class RingFinder {
   public:
-    RingFinder(const RingAddress& ring, const State& start) : ring_(ring) {
+    RingFinder(const RingAddress& ring, const State& start, const Params& params)
+        : ring_(ring), lanes_(params.paper.stack) {
         lanes_.begin(start.rings);
         for (const LaneChange& given : lanes_.takeChanges()) {
             made_[given.lane] = makings_.size();
@@ -157,7 +158,7 @@ class RingFinder {
 
 Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingAddress& ring,
                             const Progress& progress) {
-    RingFinder finder(ring, startState(points, params));
+    RingFinder finder(ring, startState(points, params), params);
     // Events after the place are not needed.
     const auto goOn = [&](double share) {
         return !finder.found() && (!progress || progress(share));

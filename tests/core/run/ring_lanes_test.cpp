@@ -5,6 +5,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
+#include "support/rule_values.h"
 
 using namespace se;
 using namespace se::test;
@@ -57,6 +58,19 @@ TEST_CASE("lanes: at every pivot as many as rings, the active one and the stack,
     for (const FailureScene& each : failureScenes()) {
         CAPTURE(each.scene.id);
         CHECK(wrongPivots(prepared(each.scene.build()), robust()) == 0);
+    }
+}
+
+TEST_CASE("lanes: they are the rings by every value of a rule of the paper") {
+    for (const char* scene : {"torus", "figure-12", "linked-tori"}) {
+        const PointSet points = sceneNamed(scene);
+        for (const Params& base : {paper(), robust()}) {
+            forEachPaperRule(base, [&](const Params& params, const std::string& rule) {
+                CAPTURE(scene);
+                CAPTURE(rule);
+                CHECK(wrongPivots(points, params) == 0);
+            });
+        }
     }
 }
 

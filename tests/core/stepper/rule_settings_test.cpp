@@ -17,6 +17,7 @@
 #include "support/open_surfaces.h"
 #include "support/random_points.h"
 #include "support/rig.h"
+#include "support/rule_values.h"
 #include "support/shared_data.h"
 
 using namespace se;
@@ -25,18 +26,6 @@ using namespace se::test;
 namespace {
 
 using Level = InvariantChecker::Level;
-
-/// Values to try: all of a switch or option, both ends and something between of a number.
-std::vector<double> valuesOf(const RuleSetting& setting) {
-    if (setting.kind == SettingKind::Number || setting.kind == SettingKind::Whole) {
-        const double middle = 0.5 * (setting.low + setting.high);
-        return {setting.low, setting.kind == SettingKind::Whole ? std::floor(middle) : middle,
-                setting.high};
-    }
-    std::vector<double> values;
-    for (double value = 0.0; value <= setting.high; ++value) values.push_back(value);
-    return values;
-}
 
 Params with(std::string_view text, std::string_view set = "paper") {
     Params params = *paramsByName(set);
