@@ -33,7 +33,7 @@ SvgCanvas::SvgCanvas(const FrameShapes& shapes, SvgClasses& classes, std::string
         points_.emplace(bytesOf(shapes.model.place[p]), static_cast<Index>(p));
 }
 
-float SvgCanvas::markZoom() const { return std::clamp(dots_ / em() / 1.5F, 0.72F, 1.15F); }
+float SvgCanvas::markZoom() const { return view::markZoom(dots_, em()); }
 
 Index SvgCanvas::pointAt(const glm::vec3& position) const {
     const auto found = points_.find(bytesOf(position));

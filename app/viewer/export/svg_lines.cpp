@@ -15,10 +15,6 @@ namespace se::view {
 
 namespace {
 
-// Equal to those of render/renderer.cpp.
-constexpr float kHiddenAlpha = 0.34F;
-constexpr float kHiddenDashEms = 0.4F;
-constexpr float kTowardEye = 0.12F;
 /// Pixels between two looks at what hides a line.
 constexpr float kLook = 2.5F;
 /// Below this opacity nothing is drawn.
@@ -77,7 +73,7 @@ void drawPart(SvgCanvas& canvas, const Line& line, const Ink& color, glm::vec2 a
     const float width = std::max(1.0F, line.width * canvas.em() * canvas.markZoom());
     const float alpha = line.color.a * (hidden ? kHiddenAlpha : 1.0F);
     if (alpha < kInvisible) return;
-    const float dash = canvas.em() * (hidden ? std::max(line.dash, kHiddenDashEms) : line.dash);
+    const float dash = canvas.em() * (hidden ? std::max(line.dash, kHiddenDash) : line.dash);
     canvas.setMore(dashesOf(dash, glm::distance(a, b)));
     canvas.line(a, b, color.withAlpha(alpha).line(width));
     canvas.setMore({});
@@ -172,10 +168,6 @@ void drawSvgLayers(SvgCanvas& canvas) {
 
 namespace {
 
-// Equal to those of render/surface.cpp.
-constexpr float kMarkBias = 0.12F;
-constexpr float kSolidDots = 0.8F;
-constexpr float kLeastAlpha = 0.02F;
 /// Ring around a mark in the color of the background: pixels beyond the mark, and opacity.
 constexpr float kRing = 1.1F;
 constexpr float kRingAlpha = 0.75F;
@@ -208,13 +200,13 @@ void drawPoint(SvgCanvas& canvas, std::size_t p, float marks) {
     const PointStyle& style = in.list.cloudStyles.styles[which];
     const PointStyle* other = in.other != nullptr ? &in.other->cloudStyles.styles[which] : nullptr;
     const float strength = style.color.a * (style.onMesh ? marks : 1.0F);
-    if (style.shape == Shape::Hidden || strength < kLeastAlpha) return;
-    const auto at = canvas.screen().at(in.model.place[p], kMarkBias * in.model.spacing);
+    if (style.shape == Shape::Hidden || strength < kFaintest) return;
+    const auto at = canvas.screen().at(in.model.place[p], kTowardEye * in.model.spacing);
     if (!at || !Rect{{0.0F, 0.0F}, in.size}.contains(glm::vec2(*at))) return;
     if (canvas.depth().hides(*at)) return;
     const bool solid = drawnSolid(canvas.dots());
     const float zoom = std::clamp(canvas.dots() / in.em / 1.5F, 0.45F, 1.35F);
-    const float size = solid ? std::max(2.0F, kSolidDots * canvas.dots())
+    const float size = solid ? std::max(2.0F, kSolidShare * canvas.dots())
                              : std::max(1.5F, style.size * in.em * zoom);
     const float alpha = strength * fadeOf(canvas, p);
     Ink ink = SvgCanvas::colors(style, other).withAlpha(std::round(20.0F * alpha) / 20.0F);

@@ -27,10 +27,6 @@ struct LineInstance {
     glm::vec3 widthDashArrow;
 };
 
-/// Strength of hidden lines.
-constexpr float kXRayAlpha = 0.34F;
-/// Length of the dashes of hidden lines and of their gaps, in em.
-constexpr float kHiddenDash = 0.4F;
 /// Width of the gap on either side of a line, in em.
 constexpr float kHaloEms = 0.16F;
 
@@ -78,7 +74,7 @@ void LinePass::draw(std::span<const Line> lines, const LineSizes& sizes) {
     const auto [tested, through, onTop] = ends;
     shader_.use();
     batch_.upload(0, instances.data(), instances.size() * sizeof(LineInstance));
-    shader_.set("uAlpha", kXRayAlpha);
+    shader_.set("uAlpha", kHiddenAlpha);
     shader_.set("uHiddenDash", kHiddenDash * sizes.em);
     glDepthFunc(GL_GREATER);
     drawRange(tested, through, Part::Lines);
@@ -102,9 +98,7 @@ struct SpriteVertex {
     glm::vec2 sizeShape;
 };
 
-/// Share of the point spacing by which lines are moved toward the eye.
-constexpr float kBiasShare = 0.12F;
-/// That of the halos of lines: less, so that lines that are nearly as near stay whole.
+/// kTowardEye for the halos of lines: less, so that lines that are nearly as near stay whole.
 constexpr float kHaloBiasShare = -0.06F;
 
 std::vector<glm::vec3> unitSphere() {
@@ -149,7 +143,7 @@ void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
     size_ = glm::vec2(view.size);
     view.rect = {};
     view.dots = spacingInPixels(view.camera, size_.y, surface_.spacing());
-    markZoom_ = std::clamp(view.dots / em_ / 1.5F, 0.72F, 1.15F);
+    markZoom_ = markZoom(view.dots, em_);
     picture_.begin();
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
@@ -218,7 +212,7 @@ void Renderer::drawLines(const DrawList& list, const CameraMatrices& camera) {
     useCamera(lines_.shader(), camera, 0.0F);
     lines_.shader().set("uViewport", size_);
     const float spacing = surface_.spacing();
-    lines_.draw(list.lines, {em_, markZoom_, kBiasShare * spacing, kHaloBiasShare * spacing});
+    lines_.draw(list.lines, {em_, markZoom_, kTowardEye * spacing, kHaloBiasShare * spacing});
 }
 
 void Renderer::drawSheets(const DrawList& list, const CameraMatrices& camera) {

@@ -87,14 +87,8 @@ struct FaceVertex {
     float hatched;
 };
 
-/// Share of the point spacing by which points are moved toward the eye.
-constexpr float kMarkBias = 0.12F;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
-/// Diameter of solid dots, as a share of their distance.
-constexpr float kSolidShare = 0.8F;
-/// Strength below which marks are left out.
-constexpr float kFaintest = 0.02F;
 
 std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
     const auto byte = [](float x) {
@@ -478,7 +472,7 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
                                                  : std::max(1.5F, style.size * view.em * zoom);
         sizes[i] = {size, static_cast<float>(shape)};
     }
-    useCamera(shader, view.camera, kMarkBias * spacing_);
+    useCamera(shader, view.camera, kTowardEye * spacing_);
     shader.set("uStyleColor", std::span<const glm::vec4>(colors));
     shader.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
     shader.set("uBackground", glm::vec3(view.background.r, view.background.g, view.background.b));

@@ -183,5 +183,25 @@ inline float markStrength(float pixels) { return smoothStep(kMarksFrom, kMarksFu
 
 /// Whether points that many pixels apart are drawn as solid dots with depth, instead of shapes.
 inline bool drawnSolid(float pixels) { return pixels < kShapesFrom; }
+/// Diameter of solid dots, as a share of their distance.
+inline constexpr float kSolidShare = 0.8F;
+/// Strength below which marks are left out.
+inline constexpr float kFaintest = 0.02F;
+
+/// The most by which single marks and lines grow.
+inline constexpr float kMarkGrowth = 1.15F;
+/// Growth of single marks and lines where points are that many pixels apart.
+inline float markZoom(float pixels, float em) {
+    return std::clamp(pixels / em / 1.5F, 0.72F, kMarkGrowth);
+}
+
+// Signs beside the surface, and behind it.
+
+/// Share of the point spacing by which points and lines are moved toward the eye.
+inline constexpr float kTowardEye = 0.12F;
+/// Strength of hidden lines.
+inline constexpr float kHiddenAlpha = 0.34F;
+/// Length of the dashes of hidden lines and of their gaps, in em.
+inline constexpr float kHiddenDash = 0.4F;
 
 }  // namespace se::view

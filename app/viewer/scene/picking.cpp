@@ -18,8 +18,6 @@ namespace se::view {
 
 namespace {
 
-/// Distance by which points are drawn closer to the eye, in spacings; see the renderer.
-constexpr float kPointBias = 0.12F;
 /// Slack of a ray, so that it does not slip between two triangles.
 constexpr float kRaySlack = 1e-3F;
 /// Maximum number of points that are tested for being hidden.
@@ -152,7 +150,7 @@ class ScenePicker {
     bool hidden(Index point) const {
         const Ray ray = rayTo(point);
         const float distance = glm::dot(model_.place[point] - ray.from, ray.way);
-        return firstHit(ray, point).distance < distance - kPointBias * model_.spacing;
+        return firstHit(ray, point).distance < distance - kTowardEye * model_.spacing;
     }
 
     /// Size of a triangle on the screen, in pixels.

@@ -26,8 +26,6 @@ constexpr std::size_t kMaxFaces = 400;
 constexpr std::size_t kMaxSights = 48;
 /// Marks of this size, in em, belong to points that must stay visible.
 constexpr float kMarkFrom = 0.9F;
-/// Marks grow with the view: at most by this (render/renderer.cpp).
-constexpr float kMarkGrowth = 1.15F;
 /// Size of a cell of the occupancy grid, in em, and the weights of faces and of marks in it.
 constexpr float kCell = 0.5F;
 constexpr float kFaceWeight = 0.5F;
