@@ -133,6 +133,12 @@ inline double nearestDistance(const PointSet& points, Index p) {
     return list.empty() ? 0.0 : glm::distance(points.position[list.front()], points.position[p]);
 }
 
+/// The sixth neighbor of a list that is not empty, or its last: the spacing at a point is its
+/// distance to that one. On an even surface a point has six neighbors around it.
+inline Index sixthOf(std::span<const Index> list) {
+    return list[std::min<std::size_t>(5, list.size() - 1)];
+}
+
 /// True if the corners of all triangles have finite positions. Requires corners below
 /// points.size(). O(t) for t triangles.
 inline bool haveFinitePositions(const PointSet& points, std::span<const Triangle> triangles) {

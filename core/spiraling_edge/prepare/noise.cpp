@@ -53,8 +53,7 @@ double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
         const double height = glm::dot(position[x] - position[p], normal);
         squares += height * height;
     }
-    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
-    const Vec3 spacing = position[sixth] - position[p];
+    const Vec3 spacing = position[sixthOf(list)] - position[p];
     return std::sqrt(squares / static_cast<double>(list.size())) / glm::length(spacing);
 }
 

@@ -68,12 +68,9 @@ Objection fold(const StepContext& context) {
 
 namespace {
 
-/// The spacing at p: the squared distance of its sixth neighbor, or of the last if there are fewer.
-/// On an even surface a point has six neighbors around it.
+/// The square of the spacing at p.
 double spacingSq(const PointSet& points, Index p) {
-    const auto list = points.neighbors[p];
-    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
-    const Vec3 d = points.position[sixth] - points.position[p];
+    const Vec3 d = points.position[sixthOf(points.neighbors[p])] - points.position[p];
     return glm::dot(d, d);
 }
 

@@ -398,9 +398,7 @@ class PlaceSearch {
 /// The distance of a point to its sixth neighbor, or to its last; 0 for an empty list.
 double spacingAt(const PointSet& points, Index p) {
     const auto list = points.neighbors[p];
-    if (list.empty()) return 0.0;
-    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
-    return glm::distance(points.position[sixth], points.position[p]);
+    return list.empty() ? 0.0 : glm::distance(points.position[sixthOf(list)], points.position[p]);
 }
 
 /// True if a point lists one of the mesh that is near, by the spacing there. Its own is wide if it
