@@ -18,37 +18,41 @@ RingTriangle fromLeastPlace(RingTriangle t) {
 
 }  // namespace
 
-/// The best filling of each part of the ring, from one place to another, counted from `first` on.
+/// The best filling of each part of the ring, from a place on to another. With a point inside, the
+/// parts go on beyond the last place.
 template <typename Goal>
 class FillingTable {
   public:
-    explicit FillingTable(FillingSearch& search, std::size_t first = 0)
+    explicit FillingTable(FillingSearch& search)
         : search_(search),
           count_(search.ring_.size()),
-          first_(first),
           cost_(count_ * count_, kNoWay),
           middle_(count_ * count_, 0) {
-        for (std::size_t span = 2; span < count_; ++span) {
-            for (std::size_t i = 0; i + span < count_; ++i) fillPart(i, i + span);
+        const bool around = search.ring_.inside != kNone;
+        // Around the point are three triangles or more, so that no part is the whole ring.
+        for (std::size_t span = 2; span + (around ? 1 : 0) < count_; ++span) {
+            const std::size_t starts = around ? count_ : count_ - span;
+            for (std::size_t i = 0; i < starts; ++i) fillPart(i, i + span);
         }
     }
+    /// The best filling without the point inside.
     Filling filling() const {
         Filling found;
-        if (cost_[at(0, count_ - 1)] < kNoWay) collect(0, count_ - 1, found);
+        if (costOf(0, count_ - 1) < kNoWay) collect(0, count_ - 1, found);
         return found;
     }
-    /// The best filling around the point inside with a triangle at the last side, and its cost.
-    std::pair<double, Filling> fillingAround() const;
+    /// The best filling around the point inside with a triangle at the side before a place, and its
+    /// cost.
+    std::pair<double, Filling> fillingAround(std::size_t first) const;
 
   private:
     static constexpr double kNoWay = 1e300;
 
-    std::size_t at(std::size_t i, std::size_t k) const { return i * count_ + k; }
+    std::size_t at(std::size_t i, std::size_t k) const { return i % count_ * count_ + k - i; }
 
     void fillPart(std::size_t i, std::size_t k) {
-        const bool closing = i == 0 && k + 1 == count_;
-        if (!closing &&
-            search_.staysJoined(search_.ring_.at(placeOf(i)), search_.ring_.at(placeOf(k))))
+        if (!isClosing(i, k) &&
+            search_.staysJoined(search_.ring_.points[i % count_], search_.ring_.points[k % count_]))
             return;
         for (std::size_t j = i + 1; j < k; ++j) {
             const double before = costOf(i, j);
@@ -58,88 +62,97 @@ class FillingTable {
             const double cost = Goal::sum(Goal::of(search_.points_, made), before, after);
             if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
             cost_[at(i, k)] = cost;
-            middle_[at(i, k)] = j;
+            middle_[at(i, k)] = j - i;
         }
     }
+    /// True if the edge from end to end is a side of the ring.
+    bool isClosing(std::size_t i, std::size_t k) const { return k - i + 1 == count_; }
+    std::size_t middleOf(std::size_t i, std::size_t k) const { return i + middle_[at(i, k)]; }
     double costOf(std::size_t i, std::size_t k) const {
         return k > i + 1 ? cost_[at(i, k)] : Goal::kNone;
     }
     /// True if the triangle is folded onto one at its sides.
     bool folds(const Triangle& made, std::size_t i, std::size_t j, std::size_t k) const {
-        const bool closing = i == 0 && k + 1 == count_;
-        return foldsAt(made, i, j) || foldsAt(made, j, k) || (closing && foldsOutside(made, k));
+        return foldsAt(made, i, j) || foldsAt(made, j, k) ||
+               (isClosing(i, k) && foldsOutside(made, k));
     }
     bool foldsAt(const Triangle& made, std::size_t i, std::size_t k) const {
         if (k == i + 1) return foldsOutside(made, i);
-        return folded(search_.points_, made, triangle(i, middle_[at(i, k)], k));
+        return folded(search_.points_, made, triangle(i, middleOf(i, k), k));
     }
     bool foldsOutside(const Triangle& made, std::size_t side) const {
-        return search_.foldsOnto(made, search_.ring_.outer[placeOf(side)]);
+        return search_.foldsOnto(made, search_.ring_.outer[side % count_]);
     }
     void collect(std::size_t i, std::size_t k, Filling& found) const {
         if (k == i + 1) return;
-        const std::size_t j = middle_[at(i, k)];
+        const std::size_t j = middleOf(i, k);
         found.push_back(placesOf(i, j, k));
         collect(i, j, found);
         collect(j, k, found);
     }
 
-    /// The place on the ring; count_ is the point inside.
-    std::size_t placeOf(std::size_t i) const { return i < count_ ? (first_ + i) % count_ : i; }
-    /// From the first of them on the ring.
+    /// From the least place on.
     RingTriangle placesOf(std::size_t i, std::size_t j, std::size_t k) const {
-        return fromLeastPlace({placeOf(i), placeOf(j), placeOf(k)});
+        return fromLeastPlace({i % count_, j % count_, k % count_});
     }
     Triangle triangle(std::size_t i, std::size_t j, std::size_t k) const {
-        return search_.triangle({placeOf(i), placeOf(j), placeOf(k)});
+        return search_.triangle({i % count_, j % count_, k % count_});
     }
     bool mayMake(std::size_t i, std::size_t j, std::size_t k) const {
         return search_.mayMake(placesOf(i, j, k));
     }
+    /// The triangle between two places and the point inside.
+    RingTriangle placesInside(std::size_t i, std::size_t k) const {
+        return fromLeastPlace({i % count_, k % count_, count_});
+    }
+    Triangle inside(std::size_t i, std::size_t k) const {
+        return search_.triangle({i % count_, k % count_, count_});
+    }
 
     FillingSearch& search_;
     std::size_t count_;
-    std::size_t first_;
-    std::vector<double> cost_;         ///< Of the best filling of a part.
-    std::vector<std::size_t> middle_;  ///< Third corner of its triangle from end to end.
+    // Per start of a part and number of its sides, of the best filling:
+    std::vector<double> cost_;
+    std::vector<std::size_t> middle_;  ///< Sides up to the third corner of the triangle at the end.
 };
 
 template <typename Goal>
-std::pair<double, Filling> FillingTable<Goal>::fillingAround() const {
-    // Per place, of the triangles around the point from the first place to this one, with the parts
+std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first) const {
+    const std::size_t last = first + count_ - 1;
+    const Triangle closing = inside(last, first);
+    if (!search_.mayMake(placesInside(last, first)) || foldsOutside(closing, last))
+        return {kNoWay, {}};
+    // Per place from the first on, of the triangles around the point up to there, with the parts
     // beyond them.
     std::vector<double> cost(count_, kNoWay);
-    std::vector<std::size_t> previous(count_, 0);
+    std::vector<std::size_t> previous(count_, first);
     cost[0] = Goal::kNone;
     const auto foldsOntoPrevious = [&](const Triangle& made, std::size_t i) {
-        return i > 0 && folded(search_.points_, made, triangle(previous[i], i, count_));
+        return i > first && folded(search_.points_, made, inside(previous[i - first], i));
     };
-    for (std::size_t k = 1; k < count_; ++k) {
-        for (std::size_t i = 0; i < k; ++i) {
-            if (cost[i] == kNoWay || costOf(i, k) == kNoWay) continue;
-            const Triangle made = triangle(i, k, count_);
-            const double sum = Goal::sum(Goal::of(search_.points_, made), cost[i], costOf(i, k));
-            if (sum >= cost[k] || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
-                !mayMake(i, k, count_))
+    for (std::size_t k = first + 1; k <= last; ++k) {
+        double& least = cost[k - first];
+        for (std::size_t i = first; i < k; ++i) {
+            if (isClosing(i, k) || cost[i - first] == kNoWay || costOf(i, k) == kNoWay) continue;
+            const Triangle made = inside(i, k);
+            const double sum =
+                Goal::sum(Goal::of(search_.points_, made), cost[i - first], costOf(i, k));
+            if (sum >= least || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
+                !search_.mayMake(placesInside(i, k)))
                 continue;
-            cost[k] = sum;
-            previous[k] = i;
+            least = sum;
+            previous[k - first] = i;
         }
     }
-    const std::size_t last = count_ - 1;
-    const Triangle closing = triangle(last, 0, count_);
-    if (cost[last] == kNoWay || foldsOutside(closing, last) || foldsOntoPrevious(closing, last) ||
-        !mayMake(last, 0, count_))
-        return {kNoWay, {}};
-    Filling found{placesOf(last, 0, count_)};
-    std::size_t k = last;
-    for (; k > 0; k = previous[k]) {
-        found.push_back(placesOf(previous[k], k, count_));
-        collect(previous[k], k, found);
-        if (previous[k] == 0 && folded(search_.points_, closing, triangle(0, k, count_)))
-            return {kNoWay, {}};
+    if (cost.back() == kNoWay || foldsOntoPrevious(closing, last)) return {kNoWay, {}};
+    Filling found{placesInside(last, first)};
+    for (std::size_t k = last; k > first; k = previous[k - first]) {
+        const std::size_t i = previous[k - first];
+        found.push_back(placesInside(i, k));
+        collect(i, k, found);
+        if (i == first && folded(search_.points_, closing, inside(i, k))) return {kNoWay, {}};
     }
-    return {Goal::sum(Goal::of(search_.points_, closing), cost[last], Goal::kNone), found};
+    return {Goal::sum(Goal::of(search_.points_, closing), cost.back(), Goal::kNone), found};
 }
 
 namespace {
@@ -197,8 +210,9 @@ Filling FillingSearch::find() {
 Filling FillingSearch::findAround() {
     Filling best;
     double least = 2.0;
+    const FillingTable<LeastAngle> table(*this);
     for (std::size_t first = 0; first < ring_.size(); ++first) {
-        auto [cost, filling] = FillingTable<LeastAngle>(*this, first).fillingAround();
+        auto [cost, filling] = table.fillingAround(first);
         if (cost >= least || crossesItself(filling)) continue;
         least = cost;
         best = std::move(filling);
