@@ -355,7 +355,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "steepangle", "6.5", "delay: steep is farther than this off a corner's normal", 0)),
     robust<&RobustRules::shelve>("shelve", "6.5",
                                  "rings without a triangle wait until no seed is left"),
-    robust<&RobustRules::fill>("fill", "6.5", "rings with interior points are closed by ears"),
+    robust<&RobustRules::fill>("fill", "6.5", "rings that are no openings are closed by ears"),
     beyondPaper(number<&Params::maxFillLength>("filllength", "6.5",
                                                "fill closes rings of at most this many entries",
                                                3.0, 4096.0, "entries")),
