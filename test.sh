@@ -87,9 +87,11 @@ tests_of() {
     return "$status"
 }
 lean_tests() { tests_of build-test/lean --label-exclude 'core|fuzz' --exclude-regex NOT_BUILT; }
-# Tests that only compute, in the time that the window's tests leave: those depend on a clock.
+# Checks that only compute, in the time that the window's tests leave: those depend on a clock.
 meanwhile() {
     chrt --idle -p 0 "$BASHPID" 2>/dev/null || renice -n 19 "$BASHPID" >/dev/null
+    run bench build-test/lean/bin/core_bench --benchmark_min_time=0.01
+    run consumer consumer
     run long_tests build-test/lean/tests/long_tests --test-suite=long
     run asan_tests tests_of build-test/asan
     run tidy .ci/tidy.sh build-test/lean
@@ -104,14 +106,10 @@ step asan_configure configure_asan
 step asan_build cmake --build build-test/asan
 step lean_configure configure_lean
 step lean_build cmake --build build-test/lean --target "${lean_targets[@]}"
-step bench build-test/lean/bin/core_bench --benchmark_min_time=0.01
-step consumer consumer
 meanwhile &
 step lean_tests lean_tests
 wait
-judge long_tests
-judge asan_tests
-judge tidy
+for name in bench consumer long_tests asan_tests tidy; do judge "$name"; done
 
 echo
 printf '%s\n' "${summary[@]}"
