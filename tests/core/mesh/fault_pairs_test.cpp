@@ -69,7 +69,8 @@ TEST_CASE("fault pairs: found across the borders of the blocks of the grid") {
     CHECK(search(mesh, PairLimits::ofMesh(mesh.triangles.size()), 2).faults == expected);
 }
 
-TEST_CASE("fault pairs: the same with any number of threads, whichever limit is reached") {
+TEST_CASE("fault pairs: the same with any number of threads, whichever limit is reached" *
+          doctest::test_suite("long")) {
     // Tens of tasks. A few triangles have the size of the whole: tested with all others.
     Strewn mesh = strewnAlongDiagonal(60000, 0.3);
     for (Index i = 0; i < 60000; i += 20000) {

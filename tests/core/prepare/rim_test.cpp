@@ -110,7 +110,8 @@ TEST_CASE("rim: the surface lies to the left of a chain") {
     }
 }
 
-TEST_CASE("rim: none on closed surfaces of any size, even or shaken") {
+TEST_CASE("rim: none on closed surfaces of any size, even or shaken" *
+          doctest::test_suite("long")) {
     for (const double scale : {0.2, 0.5, 1.0, 4.0}) {
         for (const Family& family : closedFamilies(scale)) {
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {

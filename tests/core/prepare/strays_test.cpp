@@ -159,7 +159,8 @@ TEST_CASE("strays: points that are left out are none, and hide none") {
     CHECK_FALSE(stray[602]);
 }
 
-TEST_CASE("strays: the same ones at any scale and place, and for any number of threads") {
+TEST_CASE("strays: the same ones at any scale and place, and for any number of threads" *
+          doctest::test_suite("long")) {
     Random random(7);
     std::vector<Vec3> position = evenSphere(20000);
     for (int i = 0; i < 40; ++i) position.push_back(random.between(1.2, 4.0) * random.direction());
@@ -246,7 +247,7 @@ TEST_CASE("strays: they are taken out of lists from the file") {
     CHECK(preparedBy("paper", file).points.neighbors[5].size() == 3);
 }
 
-TEST_CASE("strays: of the shared sets few points are strays") {
+TEST_CASE("strays: of the shared sets few points are strays" * doctest::test_suite("long")) {
     const std::map<std::string, std::size_t> known{{"femur", 1},
                                                    {"mannequin_devil", 21},
                                                    {"seven_parts", 1},

@@ -200,7 +200,8 @@ TEST_CASE("A mesh that is edited at the end takes no keyframes from the pivots")
     CHECK(timeline.keyframeBytes() == bytes);
 }
 
-TEST_CASE("A stepper set to any place after the last pivot reaches the end of the run") {
+TEST_CASE("A stepper set to any place after the last pivot reaches the end of the run" *
+          doctest::test_suite("long")) {
     const Params params = paramsByName("robust").value();
     std::uint32_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {

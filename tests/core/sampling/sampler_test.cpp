@@ -87,7 +87,8 @@ bool inBox(const Field& field, const Vec3& x) { return glm::clamp(x, field.low, 
 
 }  // namespace
 
-TEST_CASE("particles have the requested number, on the surface, even and in the box") {
+TEST_CASE("particles have the requested number, on the surface, even and in the box" *
+          doctest::test_suite("long")) {
     for (const Shape& shape : shapes()) {
         CAPTURE(shape.id);
         const Field field = fieldOf(shape);
@@ -199,7 +200,8 @@ TEST_CASE("all parts of a surface are covered by their share") {
     CHECK(std::abs(share(hydrogen, [&](const Vec3& x) { return above(63.0 - x); }) - lobe) < 0.02);
 }
 
-TEST_CASE("equal seeds give equal particles, whatever the number of threads") {
+TEST_CASE("equal seeds give equal particles, whatever the number of threads" *
+          doctest::test_suite("long")) {
     SamplerOptions options = points(6000, 7);
     options.threads = 1;
     const PointFile one = sampled("gyroid", options);

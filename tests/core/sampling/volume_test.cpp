@@ -345,7 +345,8 @@ TEST_CASE("a volume is sampled like a shape") {
     }
 }
 
-TEST_CASE("the lobster's particles are on its surface, as many as in Table 1") {
+TEST_CASE("the lobster's particles are on its surface, as many as in Table 1" *
+          doctest::test_suite("long")) {
     const auto path = test::sharedFile("volumes/lobster.nhdr");
     if (path.empty()) return;
     Result<Volume> read = readVolume(path);

@@ -113,7 +113,8 @@ Found firstDecision(const std::vector<PointSet>& all, const Params& params, cons
 
 }  // namespace
 
-TEST_CASE("robust: what each rule decides is a line of the ledger of what it is about") {
+TEST_CASE("robust: what each rule decides is a line of the ledger of what it is about" *
+          doctest::test_suite("long")) {
     const std::vector<PointSet> all = inputs();
     for (const Sign& sign : signs()) {
         CAPTURE(sign.rule);

@@ -193,7 +193,8 @@ std::vector<PointSet> eventful() {
 
 }  // namespace
 
-TEST_CASE("robust: a log changes nothing, and the same steps come twice") {
+TEST_CASE("robust: a log changes nothing, and the same steps come twice" *
+          doctest::test_suite("long")) {
     for (const PointSet& points : eventful()) {
         EventLog log;
         const std::uint64_t hash = stateHash(runAll(points, robust()).state);

@@ -177,7 +177,8 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
     }
 }
 
-TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted") {
+TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted" *
+          doctest::test_suite("long")) {
     SamplerOptions options;
     options.count = 400;
     const PointFile file = sample(fieldOf(*findShape("torus")), options).value();

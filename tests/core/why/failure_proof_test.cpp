@@ -95,7 +95,8 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
 
 }  // namespace
 
-TEST_CASE("failure proof: nine of ten faults are gone with their decision inverted") {
+TEST_CASE("failure proof: nine of ten faults are gone with their decision inverted" *
+          doctest::test_suite("long")) {
     std::size_t all = 0;
     std::size_t gone = 0;
     std::size_t replaced = 0;
@@ -120,7 +121,8 @@ TEST_CASE("failure proof: nine of ten faults are gone with their decision invert
     CHECK(10 * prevented >= 9 * all);
 }
 
-TEST_CASE("failure proof: a fault that a step after the last pivot made is proved by the step") {
+TEST_CASE("failure proof: a fault that a step after the last pivot made is proved by the step" *
+          doctest::test_suite("long")) {
     std::size_t steps = 0;
     for (const FailureScene& each : failureScenes()) {
         const PointSet points = prepared(each.scene.build());
@@ -182,7 +184,8 @@ TEST_CASE("inverse: a third point of a wall is taken off the list of the pivot")
     CHECK(inverse->list == Points{1, 3});
 }
 
-TEST_CASE("failure proof: where no rule prevents a fault, lists of another length do") {
+TEST_CASE("failure proof: where no rule prevents a fault, lists of another length do" *
+          doctest::test_suite("long")) {
     const PointFile file = findScene("wrong-lists")->build();
     const RunSpec spec = changed({}, specChange({{"rules", "robust"}}));
     PointSet points = prepared(file);

@@ -52,7 +52,8 @@ std::vector<Index> unusedOf(const PointSet& points, const std::vector<Triangle>&
 
 }  // namespace
 
-TEST_CASE("proof: nine of ten unused points come into the mesh with their decision inverted") {
+TEST_CASE("proof: nine of ten unused points come into the mesh with their decision inverted" *
+          doctest::test_suite("long")) {
     std::size_t asked = 0;
     std::size_t found = 0;
     const auto ask = [&](const Scene& scene) {

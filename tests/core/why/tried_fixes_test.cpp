@@ -59,7 +59,8 @@ PointFile inPairs(PointFile file, double apart) {
 
 }  // namespace
 
-TEST_CASE("tried fixes: the effect of a command is that of another run of it") {
+TEST_CASE("tried fixes: the effect of a command is that of another run of it" *
+          doctest::test_suite("long")) {
     for (const Family& family : closedFamilies(kTubesApart)) {
         PointFile alike = family.sample(1);
         for (Vec3& n : alike.normal) n = Vec3(0.0, 0.0, 1.0);
