@@ -97,7 +97,7 @@ bool drawHead(const PanelContext& context, const std::string& name, const std::s
     ImGui::SameLine(left + 1.3F * context.em);
     const float room =
         ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - textWidth(note) - context.em;
-    ImGui::TextUnformatted(fittedName(title, room).c_str());
+    ImGui::TextUnformatted(fittedWords(title, room).c_str());
     ImGui::PopFont();
     dimAtRight(note);
     ImGui::PopID();

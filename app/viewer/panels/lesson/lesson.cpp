@@ -241,7 +241,7 @@ void drawHead(const PanelContext& context, const LessonWalk& walk) {
     const std::string place =
         std::to_string(walk.step() + 1) + " of " + std::to_string(walk.lesson().steps.size());
     const float room = ImGui::GetContentRegionAvail().x - textWidth(place) - context.em;
-    ImGui::TextDisabled("%s", fittedName(walk.lesson().title, room).c_str());
+    ImGui::TextDisabled("%s", fittedWords(walk.lesson().title, room).c_str());
     nameItem(context, "lesson title",
              walk.lesson().title + ", " + minutesText(walk.lesson().minutes()));
     dimAtRight(place);

@@ -282,7 +282,7 @@ void takeKeyboardHere() {
 }
 
 void dimShortText(const std::string& text, float width) {
-    const std::string shown = fittedName(text, width);
+    const std::string shown = fittedWords(text, width);
     ImGui::TextDisabled("%s", shown.c_str());
     if (shown != text) tooltip(text);
 }

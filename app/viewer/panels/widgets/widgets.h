@@ -168,7 +168,7 @@ void textAtRight(const std::string& text, const Color& color);
 std::string fitted(const std::string& text, float width);
 /// The name of a file or a run, cut in the middle if it does not fit `width`.
 std::string fittedName(const std::string& name, float width);
-/// A dim line of text, shortened in its middle to `width`; where it is, the tooltip has all of it.
+/// A dim line of text, shortened to `width` between two words; where it is, the tooltip has all.
 void dimShortText(const std::string& text, float width);
 /// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
