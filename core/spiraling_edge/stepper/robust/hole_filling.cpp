@@ -1,7 +1,7 @@
-/// The best filling of each part of the ring, from short parts to long ones: a triangle stands on
-/// the edge from one end of a part to the other, and the parts on both sides of its third corner
-/// are known (Barequet and Sharir 1995). Tried for the least angle first, then for the area; around
-/// a point inside, for the least angle alone.
+/// The best filling of each part of the ring, found once, when it is asked for: a triangle stands
+/// on the edge from one end of the part to the other, with the best fillings of the parts on both
+/// sides of its third corner (Barequet and Sharir 1995). Tried for the least angle first, then for
+/// the area; around a point inside, for the least angle alone.
 #include "spiraling_edge/stepper/robust/hole_filling.h"
 
 #include <utility>
@@ -26,51 +26,51 @@ class FillingTable {
     explicit FillingTable(FillingSearch& search)
         : search_(search),
           count_(search.ring_.size()),
-          cost_(count_ * count_, kNoWay),
-          middle_(count_ * count_, 0) {
-        const bool around = search.ring_.inside != kNone;
-        // Around the point are three triangles or more, so that no part is the whole ring.
-        for (std::size_t span = 2; span + (around ? 1 : 0) < count_; ++span) {
-            const std::size_t starts = around ? count_ : count_ - span;
-            for (std::size_t i = 0; i < starts; ++i) fillPart(i, i + span);
-        }
-    }
+          cost_(count_ * count_, kUnknown),
+          middle_(count_ * count_, 0) {}
     /// The best filling without the point inside.
-    Filling filling() const {
+    Filling filling() {
         Filling found;
         if (costOf(0, count_ - 1) < kNoWay) collect(0, count_ - 1, found);
         return found;
     }
     /// The best filling around the point inside with a triangle at the side before a place, and its
-    /// cost.
-    std::pair<double, Filling> fillingAround(std::size_t first) const;
+    /// cost, if that is below `most`.
+    std::pair<double, Filling> fillingAround(std::size_t first, double most);
 
   private:
     static constexpr double kNoWay = 1e300;
+    static constexpr double kUnknown = -1e300;
 
     std::size_t at(std::size_t i, std::size_t k) const { return i % count_ * count_ + k - i; }
 
+    /// Of the best filling of a part; found when it is asked for.
+    double costOf(std::size_t i, std::size_t k) {
+        if (k == i + 1) return Goal::kNone;
+        if (cost_[at(i, k)] == kUnknown) {
+            cost_[at(i, k)] = kNoWay;
+            fillPart(i, k);
+        }
+        return cost_[at(i, k)];
+    }
     void fillPart(std::size_t i, std::size_t k) {
         if (!isClosing(i, k) &&
             search_.staysJoined(search_.ring_.points[i % count_], search_.ring_.points[k % count_]))
             return;
+        double least = kNoWay;
         for (std::size_t j = i + 1; j < k; ++j) {
-            const double before = costOf(i, j);
-            const double after = costOf(j, k);
-            if (before == kNoWay || after == kNoWay) continue;
             const Triangle made = triangle(i, j, k);
-            const double cost = Goal::sum(Goal::of(search_.points_, made), before, after);
-            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
-            cost_[at(i, k)] = cost;
+            const double own = Goal::of(search_.points_, made);
+            if (own >= least || !search_.isFit(placesOf(i, j, k))) continue;
+            const double cost = Goal::sum(own, costOf(i, j), costOf(j, k));
+            if (cost >= least || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
+            least = cost_[at(i, k)] = cost;
             middle_[at(i, k)] = j - i;
         }
     }
     /// True if the edge from end to end is a side of the ring.
     bool isClosing(std::size_t i, std::size_t k) const { return k - i + 1 == count_; }
     std::size_t middleOf(std::size_t i, std::size_t k) const { return i + middle_[at(i, k)]; }
-    double costOf(std::size_t i, std::size_t k) const {
-        return k > i + 1 ? cost_[at(i, k)] : Goal::kNone;
-    }
     /// True if the triangle is folded onto one at its sides.
     bool folds(const Triangle& made, std::size_t i, std::size_t j, std::size_t k) const {
         return foldsAt(made, i, j) || foldsAt(made, j, k) ||
@@ -117,14 +117,17 @@ class FillingTable {
 };
 
 template <typename Goal>
-std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first) const {
+std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first, double most) {
     const std::size_t last = first + count_ - 1;
     const Triangle closing = inside(last, first);
-    if (!search_.mayMake(placesInside(last, first)) || foldsOutside(closing, last))
-        return {kNoWay, {}};
+    const double closingCost = Goal::of(search_.points_, closing);
+    const std::pair<double, Filling> none{kNoWay, {}};
+    if (closingCost >= most || !search_.mayMake(placesInside(last, first)) ||
+        foldsOutside(closing, last))
+        return none;
     // Per place from the first on, of the triangles around the point up to there, with the parts
     // beyond them.
-    std::vector<double> cost(count_, kNoWay);
+    std::vector<double> cost(count_, most);
     std::vector<std::size_t> previous(count_, first);
     cost[0] = Goal::kNone;
     const auto foldsOntoPrevious = [&](const Triangle& made, std::size_t i) {
@@ -133,10 +136,13 @@ std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first) 
     for (std::size_t k = first + 1; k <= last; ++k) {
         double& least = cost[k - first];
         for (std::size_t i = first; i < k; ++i) {
-            if (isClosing(i, k) || cost[i - first] == kNoWay || costOf(i, k) == kNoWay) continue;
+            // Around the point are three triangles or more, so that no part is the whole ring.
+            if (isClosing(i, k) || cost[i - first] >= most) continue;
             const Triangle made = inside(i, k);
-            const double sum =
-                Goal::sum(Goal::of(search_.points_, made), cost[i - first], costOf(i, k));
+            const double own =
+                Goal::sum(Goal::of(search_.points_, made), cost[i - first], Goal::kNone);
+            if (own >= least || !search_.isFit(placesInside(i, k))) continue;
+            const double sum = Goal::sum(own, costOf(i, k), Goal::kNone);
             if (sum >= least || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
                 !search_.mayMake(placesInside(i, k)))
                 continue;
@@ -144,15 +150,15 @@ std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first) 
             previous[k - first] = i;
         }
     }
-    if (cost.back() == kNoWay || foldsOntoPrevious(closing, last)) return {kNoWay, {}};
+    if (cost.back() >= most || foldsOntoPrevious(closing, last)) return none;
     Filling found{placesInside(last, first)};
     for (std::size_t k = last; k > first; k = previous[k - first]) {
         const std::size_t i = previous[k - first];
         found.push_back(placesInside(i, k));
         collect(i, k, found);
-        if (i == first && folded(search_.points_, closing, inside(i, k))) return {kNoWay, {}};
+        if (i == first && folded(search_.points_, closing, inside(i, k))) return none;
     }
-    return {Goal::sum(Goal::of(search_.points_, closing), cost.back(), Goal::kNone), found};
+    return {Goal::sum(closingCost, cost.back(), Goal::kNone), found};
 }
 
 namespace {
@@ -210,9 +216,9 @@ Filling FillingSearch::find() {
 Filling FillingSearch::findAround() {
     Filling best;
     double least = 2.0;
-    const FillingTable<LeastAngle> table(*this);
+    FillingTable<LeastAngle> table(*this);
     for (std::size_t first = 0; first < ring_.size(); ++first) {
-        auto [cost, filling] = table.fillingAround(first);
+        auto [cost, filling] = table.fillingAround(first, least);
         if (cost >= least || crossesItself(filling)) continue;
         least = cost;
         best = std::move(filling);
