@@ -160,17 +160,52 @@ bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& sh
 
 }  // namespace
 
-double layerReach(const PointSet& points, const Triangle& t) {
+namespace {
+
+/// LayerShape::reach.
+double reachOf(const PointSet& points, const Triangle& t) {
     const Vec3& a = points.position[t.a];
     const Vec3& b = points.position[t.b];
     const Vec3& c = points.position[t.c];
     return (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
 }
 
+/// The most that a direction within 22.5 degrees of a unit vector has along an axis.
+double mostAlong(double unit) {
+    constexpr double kCosine = 0.92387953251128674;
+    constexpr double kSine = 0.38268343236508977;
+    const double along = std::abs(unit);
+    if (!(along < kCosine)) return 1.0;
+    return along * kCosine + std::sqrt(1.0 - along * along) * kSine;
+}
+
+Box conflictBox(const Box& box, const Vec3& unit, double reach) {
+    constexpr double kMargin = 1.0 + 1e-9;  // Far above the rounding of a unit vector.
+    const Vec3 width =
+        kMargin * reach * Vec3(mostAlong(unit.x), mostAlong(unit.y), mostAlong(unit.z));
+    Box grown = box;
+    grown.low -= width;
+    grown.high += width;
+    return grown;
+}
+
+}  // namespace
+
+Box conflictBox(const Box& box, const LayerShape& shape) {
+    return conflictBox(box, shape.outward, shape.reach);
+}
+
+Box conflictBox(const PointSet& points, const Triangle& t) {
+    const Vec3 normal = areaVector(points, t);
+    const double length = glm::length(normal);
+    const Vec3 unit = length > 0.0 ? normal / length : Vec3(0.0);
+    return conflictBox(boxOf(points, t), unit, reachOf(points, t));
+}
+
 LayerShape layerShape(const PointSet& points, const Triangle& t) {
     LayerShape shape;
     shape.normal = areaVector(points, t);
-    shape.reach = layerReach(points, t);
+    shape.reach = reachOf(points, t);
     const double length = glm::length(shape.normal);
     if (!(length > 0.0)) return shape;
     shape.outward = shape.normal / (facing(points, t) < 0.0 ? -length : length);

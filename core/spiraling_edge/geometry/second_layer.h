@@ -18,9 +18,6 @@ struct LayerShape {
 /// The shape of a triangle. `points.normal` may hold zeros: the order of the corners decides then.
 LayerShape layerShape(const PointSet& points, const Triangle& t);
 
-/// LayerShape::reach alone.
-double layerReach(const PointSet& points, const Triangle& t);
-
 /// Normals of layers enclose less than this: the cosine of 45 degrees.
 inline constexpr double kLayerCosine = 0.70710678118654752;
 /// At least this share of the smaller triangle lies over or under the other.
@@ -47,6 +44,12 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& 
 
 /// As above, for triangles tested once.
 bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b);
+
+/// The box of a triangle, grown by its reach in all directions within 22.5 degrees of its normal:
+/// where layers over or under it lie, since these are seen along the sum of two normals. Triangles
+/// are in conflict() only if such boxes of theirs meet.
+Box conflictBox(const Box& box, const LayerShape& shape);
+Box conflictBox(const PointSet& points, const Triangle& t);
 
 /// A triangle with the values that conflict() tests pairs by.
 struct ShapedTriangle {

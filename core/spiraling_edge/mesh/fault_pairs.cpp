@@ -92,12 +92,12 @@ struct PairCandidate {
         : triangle(number),
           shape(layerShape(input.points, input.triangles[number])),
           box(boxOf(input.points, input.triangles[number])),
-          wide(box.grown(shape.reach)) {}
+          wide(conflictBox(box, shape)) {}
 
     Index triangle;
     LayerShape shape;
     Box box;
-    Box wide;  ///< The box, wider by the reach of a second layer.
+    Box wide;  ///< conflictBox()
 };
 
 /// Tests the pairs of one task after the other; its memory is reused.
@@ -271,7 +271,7 @@ struct TrianglesByBlock {
 void addToBlocks(const PairInput& input, Index triangle, TrianglesByBlock& placed) {
     if (input.usable[triangle] == 0) return;
     const Triangle& t = input.triangles[triangle];
-    const Box wide = boxOf(input.points, t).grown(layerReach(input.points, t));
+    const Box wide = conflictBox(input.points, t);
     const bool fits = input.grid.forEachBlock(wide.low, wide.high, [&](std::uint64_t block) {
         placed.inBlocks.push_back({block, triangle});
     });

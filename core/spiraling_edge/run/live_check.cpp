@@ -140,7 +140,7 @@ class LiveCheck::Checker {
         triangles_.push_back(made);
         boxes_.push_back(boxOf(points_, made));
         shapes_.push_back(layerShape(points_, made));
-        wide_.push_back(boxes_.back().grown(shapes_.back().reach));
+        wide_.push_back(conflictBox(boxes_.back(), shapes_.back()));
         metBy_.push_back(kNone);
         used_[made.a] = used_[made.b] = used_[made.c] = true;
         for (const Index p : {made.a, made.b, made.c}) trianglesAt_[p].push_back(number);
@@ -242,7 +242,7 @@ class LiveCheck::Checker {
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
     std::vector<LayerShape> shapes_;
-    std::vector<Box> wide_;  ///< The boxes, wider by the reach of a second layer.
+    std::vector<Box> wide_;  ///< conflictBox() of each triangle.
     std::vector<bool> hasArea_;
     std::unordered_map<std::uint64_t, EdgeUse> edges_;
     std::unordered_map<std::array<Index, 3>, Index, CornersHash> byCorners_;

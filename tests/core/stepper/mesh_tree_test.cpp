@@ -48,7 +48,7 @@ bool findsConflicts(const PointSet& points, const MeshTree& tree,
     for (const Triangle& mine : triangles) {
         const ShapedTriangle shaped(points, mine);
         std::vector<std::size_t> visited(triangles.size());
-        tree.anyNear(shaped.box.grown(shaped.shape.reach), [&](Index t) {
+        tree.anyNear(conflictBox(shaped.box, shaped.shape), [&](Index t) {
             REQUIRE(t < triangles.size());
             ++visited[t];
             return false;

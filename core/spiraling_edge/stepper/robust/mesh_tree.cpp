@@ -91,8 +91,8 @@ MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
         const std::size_t first = kWidth * leaf;
         for (std::size_t i = first; i < std::min(first + kWidth, order.size()); ++i) {
             const Index t = order[i];
-            const Box box = boxOf(points, triangles[t]).grown(layerReach(points, triangles[t]));
-            set(static_cast<Index>(leaf), static_cast<Index>(i - first), t, bounds(box));
+            set(static_cast<Index>(leaf), static_cast<Index>(i - first), t,
+                bounds(conflictBox(points, triangles[t])));
         }
     });
     Index begin = 0;
@@ -160,7 +160,7 @@ Index MeshTree::split(Index leaf) {
 
 void MeshTree::put(Index t, const Triangle& corners) {
     if (t >= placeOf_.size()) placeOf_.resize(t + 1, kNone);
-    const Bounds box = bounds(boxOf(points_, corners).grown(layerReach(points_, corners)));
+    const Bounds box = bounds(conflictBox(points_, corners));
     Index place = placeOf_[t];
     // A triangle that changes mostly stays near.
     if (place == kNone || nodes_[place / kWidth].meeting(box) == 0) {

@@ -27,8 +27,8 @@ class MeshTree {
     /// Triangle `t` is gone, if there was one.
     void remove(Index t);
 
-    /// Calls visit(t) for each triangle that may be in conflict with one in `box`, which is grown
-    /// by the LayerShape::reach of that one, until it returns true. True if it did.
+    /// Calls visit(t) for each triangle whose conflictBox() meets `box`, until it returns true.
+    /// True if it did.
     template <typename Visit>
     bool anyNear(const Box& box, Visit&& visit) const {
         return anyUnder(root_, bounds(box), visit);

@@ -46,7 +46,7 @@ class ConflictSearch {
     /// returns true. True if it did.
     template <typename LeavesOut, typename Found>
     bool any(LeavesOut&& leavesOut, Found&& found) {
-        return tree_.anyNear(mine_.box.grown(mine_.shape.reach), [&](Index t) {
+        return tree_.anyNear(conflictBox(mine_.box, mine_.shape), [&](Index t) {
             if (leavesOut(t)) return false;
             const Triangle& other = m_.triangles[t];
             const unsigned common = sidesOf(other.a) & sidesOf(other.b) & sidesOf(other.c);
