@@ -60,9 +60,13 @@ class EdgePlanes {
     /// the other are on.
     static bool tellApart(unsigned common, const LayerShape& mine, const LayerShape& other) {
         if ((common & kBeyondEdge) != 0) return true;
+        return isOffPlane(common) && !areParallel(mine, other);
+    }
+    /// True if the corners of the other that are not common lie on one side of the triangle.
+    static bool isOffPlane(unsigned common) {
         // All three are common corners if they are on both sides.
         const unsigned off = common & (kAbove | kBelow);
-        return (off == kAbove || off == kBelow) && !areParallel(mine, other);
+        return off == kAbove || off == kBelow;
     }
 
   private:

@@ -218,17 +218,6 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& 
            isOverOther(points, a, shapeA, b, shapeB);
 }
 
-namespace {
-
-/// True if the normals of two triangles enclose clearly more than 45 degrees, whichever way they
-/// are turned: an answer for most pairs where surfaces bend.
-bool encloseWide(const Vec3& m, const Vec3& n) {
-    const double along = glm::dot(m, n);
-    return along * along < 0.499 * glm::dot(m, m) * glm::dot(n, n);
-}
-
-}  // namespace
-
 bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b) {
     return !encloseWide(areaVector(points, a), areaVector(points, b)) &&
            isSecondLayer(points, a, layerShape(points, a), b, layerShape(points, b));

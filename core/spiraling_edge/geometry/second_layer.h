@@ -29,6 +29,13 @@ inline bool areParallel(const LayerShape& a, const LayerShape& b) {
     return glm::dot(a.outward, b.outward) >= kLayerCosine;
 }
 
+/// True if the normals of two triangles, of any length, enclose clearly more than 45 degrees,
+/// whichever way they are turned: an answer for most pairs where surfaces bend.
+inline bool encloseWide(const Vec3& m, const Vec3& n) {
+    const double along = glm::dot(m, n);
+    return along * along < 0.499 * glm::dot(m, m) * glm::dot(n, n);
+}
+
 /// True if two triangles clearly lie side by side, seen along the sum of their normals: they share
 /// no more than common corners and the edge between these, nor is one a layer over the other. An
 /// answer for most parallel pairs, at a fraction of the cost of others.

@@ -49,13 +49,18 @@ class ConflictSearch {
         return tree_.anyNear(conflictBox(mine_.box, mine_.shape), [&](Index t) {
             if (leavesOut(t)) return false;
             const Triangle& other = m_.triangles[t];
-            const unsigned common = sidesOf(other.a) & sidesOf(other.b) & sidesOf(other.c);
-            return (common & EdgePlanes::kBeyondEdge) == 0 && conflict(points_, mine_, other) &&
-                   found(t);
+            return !areApart(other) && conflict(points_, mine_, other) && found(t);
         });
     }
 
   private:
+    /// True if the sides of the corners of another triangle show that there is no conflict.
+    bool areApart(const Triangle& other) {
+        const unsigned common = sidesOf(other.a) & sidesOf(other.b) & sidesOf(other.c);
+        return (common & EdgePlanes::kBeyondEdge) != 0 ||
+               (EdgePlanes::isOffPlane(common) &&
+                encloseWide(mine_.shape.normal, areaVector(points_, other)));
+    }
     unsigned sidesOf(Index p) {
         const std::size_t slot = p % point_.size();
         if (std::exchange(point_[slot], p) != p) sides_[slot] = planes_.sidesOf(p);
