@@ -351,20 +351,25 @@ class PlaceSearch {
         if (replaced > 0 && !isNew({place.gone().begin(), place.gone().end()})) return;
         std::array<bool, kMaxMade> isFaulty{};
         bool isBad = false;
-        int added = -faultsOfGone(place);
         double angle = -1.0;
         for (std::size_t i = 0; i < place.size(); ++i) {
             const NewTriangle& t = made(place[i]);
-            const bool isThin = t.faults >= kFlippedFault || t.cosine >= kThin;
-            const int faults = isThin ? 0 : faultsWithOld(place, i);
-            isFaulty[i] = isThin || faults > 0;
-            isBad = isBad || isThin;
-            added += faults;
+            isFaulty[i] = t.faults >= kFlippedFault || t.cosine >= kThin;
+            isBad = isBad || isFaulty[i];
             angle = std::max(angle, t.cosine);
         }
-        if (!isBad && added <= kMaxAdded) keepIfBest(place, added + faultsAmongNew(place), angle);
-        if (replaced == 0 || replaced == kMaxCheapGone) return;
+        const bool mayWiden = replaced > 0 && replaced < kMaxCheapGone;
+        if (isBad && !mayWiden) return;
+        int added = -faultsOfGone(place);
         for (std::size_t i = 0; i < place.size(); ++i) {
+            if (isFaulty[i]) continue;
+            const int faults = faultsWithOld(place, i);
+            isFaulty[i] = faults > 0;
+            added += faults;
+            if (added > leastAdded_ && !mayWiden) return;
+        }
+        if (!isBad && added <= leastAdded_) keepIfBest(place, added + faultsAmongNew(place), angle);
+        for (std::size_t i = 0; mayWiden && i < place.size(); ++i) {
             Change wider = place;
             if (isFaulty[i] && wider.widen(i)) countFaults(wider);
         }
