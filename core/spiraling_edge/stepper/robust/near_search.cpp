@@ -73,8 +73,8 @@ class ConflictSearch {
     ShapedTriangle mine_;
     EdgePlanes planes_;
     // By index of a point; later ones replace earlier ones.
-    std::array<Index, 32> point_{};
-    std::array<std::uint8_t, 32> sides_{};
+    std::array<Index, 128> point_{};
+    std::array<std::uint8_t, 128> sides_{};
 };
 
 }  // namespace
