@@ -29,7 +29,15 @@ std::uint64_t spread(std::uint64_t x) {
 /// The code of a point's place on the curve in the upper half, its index in the lower.
 using Coded = std::uint64_t;
 
-std::vector<Coded> codesOf(std::span<const Vec3> position) {
+/// The place of a code of 30 bits among all Gray codes.
+std::uint64_t rankOfGray(std::uint64_t code) {
+    for (unsigned shift = 1; shift < 3 * kBits; shift *= 2) code ^= code >> shift;
+    return code;
+}
+
+/// `placeOf`: the place on the curve of a point's code on the Z-curve.
+template <typename PlaceOf>
+std::vector<Coded> codesOf(std::span<const Vec3> position, const PlaceOf& placeOf) {
     const WallBox box = boxAround(position);
     // Halves, so that a box from lowest to max does not overflow; the last step of an axis is left
     // to positions that are not finite.
@@ -42,7 +50,7 @@ std::vector<Coded> codesOf(std::span<const Vec3> position) {
         if (isFinite(position[i])) {
             const Vec3 place = (0.5 * position[i] - 0.5 * box.low) / side * kSteps;
             const auto step = [](double x) { return spread(static_cast<std::uint64_t>(x)); };
-            code = step(place.x) | step(place.y) << 1U | step(place.z) << 2U;
+            code = placeOf(step(place.x) | step(place.y) << 1U | step(place.z) << 2U);
         }
         coded[i] = code << 32U | i;
     }
@@ -63,15 +71,22 @@ void radixSort(std::vector<Coded>& coded) {
     }
 }
 
-}  // namespace
-
-std::vector<Index> zCurveOrder(std::span<const Vec3> position) {
-    std::vector<Coded> coded = codesOf(position);
+std::vector<Index> inOrder(std::vector<Coded> coded) {
     radixSort(coded);
     std::vector<Index> order(coded.size());
     std::transform(coded.begin(), coded.end(), order.begin(),
                    [](Coded c) { return static_cast<Index>(c & 0xffffffffU); });
     return order;
+}
+
+}  // namespace
+
+std::vector<Index> zCurveOrder(std::span<const Vec3> position) {
+    return inOrder(codesOf(position, [](std::uint64_t code) { return code; }));
+}
+
+std::vector<Index> grayCurveOrder(std::span<const Vec3> position) {
+    return inOrder(codesOf(position, rankOfGray));
 }
 
 }  // namespace se

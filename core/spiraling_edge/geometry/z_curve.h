@@ -1,4 +1,4 @@
-/// Points in the order of a Z-curve (Morton 1966): neighbors in space are neighbors in memory.
+/// Points in the order of a curve that fills space: neighbors in space are neighbors in memory.
 #pragma once
 
 #include <span>
@@ -8,9 +8,14 @@
 
 namespace se {
 
-/// The indices 0 .. position.size() - 1 along a Z-curve through the bounding box of the finite
-/// positions, with 2^10 steps per side; ties by index. Positions that are not finite come last.
-/// O(points).
+/// The indices 0 .. position.size() - 1 along a Z-curve (Morton 1966) through the bounding box of
+/// the finite positions, with 2^10 steps per side; ties by index. Positions that are not finite
+/// come last. O(points).
 std::vector<Index> zCurveOrder(std::span<const Vec3> position);
+
+/// The same along a Gray-code curve (Faloutsos 1986). Each of its steps goes along one axis; those
+/// of a Z-curve also go back along two or three, so that boxes around groups of neighbors are
+/// larger.
+std::vector<Index> grayCurveOrder(std::span<const Vec3> position);
 
 }  // namespace se

@@ -180,4 +180,12 @@ TEST_CASE("the order of the Z-curve: every point once, near ones together, none 
     CHECK(zCurveOrder(corners) == std::vector<Index>{2, 5, 6, 3, 4, 7, 8, 1, 0});
     CHECK(zCurveOrder(std::vector<Vec3>(3, Vec3(5.0))) == std::vector<Index>{0, 1, 2});
     CHECK(zCurveOrder({}).empty());
+    // Along a Gray-code curve each step goes along one axis.
+    const std::vector<Index> order = grayCurveOrder(corners);
+    REQUIRE(order.size() == corners.size());
+    for (std::size_t i = 1; i < 8; ++i) {
+        const Vec3 step = corners[order[i]] - corners[order[i - 1]];
+        CHECK((step.x != 0.0) + (step.y != 0.0) + (step.z != 0.0) == 1);
+    }
+    CHECK(order.back() == 0);
 }

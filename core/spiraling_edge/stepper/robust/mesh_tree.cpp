@@ -82,7 +82,7 @@ MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
     const Vec3 sides = all ? all->high - all->low : Vec3(0.0);
     const double extent = std::max({sides.x, sides.y, sides.z});
     if (extent > 0.0 && 1.0 / extent < std::numeric_limits<double>::max()) scale_ = 1.0 / extent;
-    const std::vector<Index> order = zCurveOrder(middlesOf(points, triangles));
+    const std::vector<Index> order = grayCurveOrder(middlesOf(points, triangles));
     // A level after the other, from the leaves on.
     const std::size_t leaves = std::max<std::size_t>(1, (order.size() + kWidth - 1) / kWidth);
     nodes_.reserve(leaves + leaves / (kWidth - 1) + kMaxLevels);

@@ -13,10 +13,10 @@
 
 namespace se {
 
-/// A tree of boxes over triangles, in the order of a Z-curve at first. A triangle that is put later
-/// goes where the boxes grow the least (Guttman 1984, R-trees), unless it stays near; the boxes of
-/// nodes never shrink. Which triangles a search finds does not depend on earlier changes, the order
-/// in which it visits them does.
+/// A tree of boxes over triangles, in the order of a Gray-code curve at first. A triangle that is
+/// put later goes where the boxes grow the least (Guttman 1984, R-trees), unless it stays near; the
+/// boxes of nodes never shrink. Which triangles a search finds does not depend on earlier changes,
+/// the order in which it visits them does.
 class MeshTree {
   public:
     /// The points must outlive it.
