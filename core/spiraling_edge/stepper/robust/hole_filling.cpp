@@ -54,9 +54,7 @@ class FillingTable {
         return cost_[at(i, k)];
     }
     void fillPart(std::size_t i, std::size_t k) {
-        if (!isClosing(i, k) &&
-            search_.staysJoined(search_.ring_.points[i % count_], search_.ring_.points[k % count_]))
-            return;
+        if (!isClosing(i, k) && search_.staysJoined(i % count_, k % count_)) return;
         double least = kNoWay;
         for (std::size_t j = i + 1; j < k; ++j) {
             const Triangle made = triangle(i, j, k);
@@ -200,7 +198,8 @@ FillingSearch::FillingSearch(const PointSet& points, RepairState& repair, const 
     : points_(points),
       m_(repair),
       ring_(ring),
-      known_((ring.size() + 1) * (ring.size() + 1) * (ring.size() + 1), Known::Nothing) {}
+      known_((ring.size() + 1) * (ring.size() + 1) * (ring.size() + 1), Known::Nothing),
+      joined_((ring.size() + 1) * (ring.size() + 1)) {}
 
 Filling FillingSearch::find() {
     if (hasBlockedSide()) return {};
@@ -266,8 +265,13 @@ bool FillingSearch::hasBlockedSide() {
                        [&](const auto& each) { return isBlocked(each.second); });
 }
 
-/// True if a triangle that stays has an edge between the two points.
-bool FillingSearch::staysJoined(Index u, Index v) const {
+/// True if a triangle that stays has an edge between the points at two places.
+bool FillingSearch::staysJoined(std::size_t u, std::size_t v) {
+    std::optional<bool>& known = joined_[std::min(u, v) * (ring_.size() + 1) + std::max(u, v)];
+    if (!known) known = findStaying(ring_.at(u), ring_.at(v));
+    return *known;
+}
+bool FillingSearch::findStaying(Index u, Index v) const {
     bool found = false;
     const auto test = [&](HalfEdge h) {
         found = found || (!isGone(ring_, h / 3) &&
@@ -285,7 +289,7 @@ bool FillingSearch::foldsOnto(const Triangle& made, HalfEdge outer) const {
 }
 
 /// True if a triangle has no fault by itself, nor with those around the ring.
-bool FillingSearch::fits(const RingTriangle& t) const {
+bool FillingSearch::fits(const RingTriangle& t) {
     const Triangle made = triangle(t);
     if (shapeFaults(points_, made) >= kFlippedFault || leastAngleCosine(points_, made) >= kThin)
         return false;
@@ -293,8 +297,7 @@ bool FillingSearch::fits(const RingTriangle& t) const {
         const std::size_t from = t[k];
         const std::size_t to = t[(k + 1) % 3];
         const bool isSide = from < ring_.size() && (from + 1) % ring_.size() == to;
-        if (isSide ? foldsOnto(made, ring_.outer[from]) : staysJoined(ring_.at(from), ring_.at(to)))
-            return false;
+        if (isSide ? foldsOnto(made, ring_.outer[from]) : staysJoined(from, to)) return false;
     }
     return true;
 }

@@ -64,9 +64,10 @@ class FillingSearch {
     Triangle triangle(const RingTriangle& t) const {
         return {ring_.at(t[0]), ring_.at(t[1]), ring_.at(t[2])};
     }
-    bool staysJoined(Index u, Index v) const;
+    bool staysJoined(std::size_t u, std::size_t v);
+    bool findStaying(Index u, Index v) const;
     bool foldsOnto(const Triangle& made, HalfEdge outer) const;
-    bool fits(const RingTriangle& t) const;
+    bool fits(const RingTriangle& t);
     bool isFit(const RingTriangle& t);
     bool mayMake(const RingTriangle& t);
     bool isInConflict(const Triangle& made);
@@ -92,6 +93,7 @@ class FillingSearch {
     RepairState& m_;
     const HoleRing& ring_;
     std::vector<Known> known_;
+    std::vector<std::optional<bool>> joined_;  ///< staysJoined() of two places, if asked.
     Index inTheWay_ = kNone;  ///< The triangle that the last conflict was with: tested first.
 };
 

@@ -11,12 +11,16 @@
 namespace se {
 namespace {
 
+/// True if a neighbor of a triangle has a smaller index, as of most.
+bool followsNeighbor(const RepairState& m, Index t) {
+    const HalfEdge first = 3 * t;
+    return m.twin[first] < first || m.twin[first + 1] < first || m.twin[first + 2] < first;
+}
+
 /// The triangles of the component of which `t` has the smallest index, if these are fewer than
-/// kSmallComponent; else none. Mostly a neighbor has a smaller one.
+/// kSmallComponent; else none.
 std::vector<Index> smallComponentFrom(const RepairState& m, Index t) {
     const auto isLess = [&](HalfEdge other) { return other < 3 * t; };
-    const auto sides = m.twin.begin() + 3 * static_cast<std::ptrdiff_t>(t);
-    if (std::any_of(sides, sides + 3, isLess)) return {};
     std::vector<Index> found{t};
     for (std::size_t i = 0; i < found.size() && found.size() < kSmallComponent; ++i) {
         for (HalfEdge h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
@@ -174,6 +178,7 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& m) {
 
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& m) {
     for (; m.next < m.triangles.size(); ++m.next) {
+        if (followsNeighbor(m, m.next)) continue;
         std::vector<Index> patch = smallComponentFrom(m, m.next);
         if (patch.empty()) continue;
         const std::vector<Index> corners = cornersOf(m, patch);
