@@ -289,14 +289,25 @@ class PlaceSearch {
         bestAngle_ = worst;
         best_ = place;
     }
+    /// True if a new triangle is in conflict with an old one that stays.
+    bool meetsOneThatStays(const Change& place, NewTriangle& mine) {
+        const auto stays = [&](Index t) { return !place.removes(t); };
+        // What is in the way of one is in the way of most others.
+        if (!mine.conflicts && inTheWay_ != kNone && stays(inTheWay_) &&
+            conflict(points_, mine.shaped, m_.triangles[inTheWay_]))
+            return true;
+        const std::vector<Index>& list = conflicts(mine);
+        const auto found = std::find_if(list.begin(), list.end(), stays);
+        if (found == list.end()) return false;
+        inTheWay_ = *found;
+        return true;
+    }
     /// True if new triangle `i` has a bad shape, or is in conflict with an old one that stays or a
     /// new one before it.
     bool isFaulty(const Change& place, std::size_t i) {
         if (hasBadShape(place, i)) return true;
         NewTriangle& mine = made(place[i]);
-        const std::vector<Index>& list = conflicts(mine);
-        if (!std::all_of(list.begin(), list.end(), [&](Index t) { return place.removes(t); }))
-            return true;
+        if (meetsOneThatStays(place, mine)) return true;
         std::size_t k = 0;
         while (k < i && !conflict(points_, mine.shaped, made(place[k]).shaped)) ++k;
         return k < i;
@@ -393,6 +404,7 @@ class PlaceSearch {
     std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
     std::unordered_map<Index, std::vector<Index>> old_;    ///< Conflicts of old triangles.
     std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
+    Index inTheWay_ = kNone;  ///< An old triangle that the last conflict found was with.
     std::optional<Change> best_;
     int leastAdded_ = kMaxAdded;
     double bestAngle_ = 2.0;  ///< The cosine of its least angle: the smaller, the better.
