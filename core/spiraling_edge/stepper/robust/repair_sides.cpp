@@ -60,9 +60,13 @@ void listPinched(RepairState& m) {
     if (std::find(m.pinched.begin(), m.pinched.end(), 1) == m.pinched.end())
         return m.pinchedSides.assign({});
     std::vector<PinchedSide> sides;
-    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        const Index p = cornerOf(m, h);
-        if (m.pinched[p] != 0) sides.push_back({p, h});
+    for (Index t = 0; t < m.triangles.size(); ++t) {
+        const Triangle& c = m.triangles[t];
+        if ((m.pinched[c.a] | m.pinched[c.b] | m.pinched[c.c]) == 0) continue;
+        for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+            const Index p = cornerOf(m, h);
+            if (m.pinched[p] != 0) sides.push_back({p, h});
+        }
     }
     std::stable_sort(sides.begin(), sides.end(),
                      [](const PinchedSide& a, const PinchedSide& b) { return a.point < b.point; });
