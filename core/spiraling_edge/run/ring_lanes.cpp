@@ -210,9 +210,22 @@ void LaneTracker::activate(std::size_t place) {
 }
 
 void LaneTracker::settle(const EdgeRings& rings) {
-    if (rings.active() == kNone || active_ || stack_.empty()) return;
-    // The pivot's ring was closed, and the traversal continues in one that it had split off.
-    activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));
+    if (rings.active() == kNone) return;
+    if (!active_) {
+        if (stack_.empty()) return;
+        // The pivot's ring was closed, and the traversal continues in one that it had split off.
+        const auto isMeant = [&](const Ring& ring) {
+            return ring.number == rings.number(rings.active());
+        };
+        const auto meant = std::find_if(stack_.rbegin(), stack_.rend(), isMeant);
+        activate(meant == stack_.rend() ? stack_.size() - 1
+                                        : static_cast<std::size_t>(stack_.rend() - meant) - 1);
+    }
+    // Where two rings were equally long, the wrong one may have been split.
+    active_->length = rings.length(rings.active());
+    if (stack_.size() != rings.stack().size()) return;
+    for (std::size_t i = stack_.size(); i-- > 0 && stack_[i].fresh;)
+        stack_[i].length = rings.length(rings.stack()[i]);
 }
 
 }  // namespace se

@@ -31,7 +31,7 @@ Event eventOf(std::uint32_t pivot, Stage stage, const Evidence& evidence) {
 std::size_t wrongPivots(const PointSet& points, const Params& params) {
     EventLog log;
     Stepper stepper(points, params, &log);
-    LaneTracker lanes;
+    LaneTracker lanes(params.paper.stack);
     lanes.begin(stepper.state().rings);
     std::size_t wrong = lanesAreRings(lanes, stepper.state().rings) ? 0 : 1;
     while (stepper.stepPivot()) {
@@ -62,7 +62,7 @@ TEST_CASE("lanes: at every pivot as many as rings, the active one and the stack,
 }
 
 TEST_CASE("lanes: they are the rings by every value of a rule of the paper") {
-    for (const char* scene : {"torus", "figure-12", "linked-tori"}) {
+    for (const std::string scene : {"torus", "figure-12", "linked-tori"}) {
         const PointSet points = sceneNamed(scene);
         for (const Params& base : {paper(), robust()}) {
             forEachPaperRule(base, [&](const Params& params, const std::string& rule) {
