@@ -6,8 +6,8 @@ layout(location = 3) in vec3 aNormal;  // of the point; none for new triangles
 
 uniform mat4 uView;
 uniform mat4 uProjection;
-uniform bool uByBirth;    // color by the number of the triangle
-uniform float uBirthEnd;  // the number at the end of the scale
+uniform bool uByCreation;    // color by the number of the triangle
+uniform float uCreationEnd;  // the number at the end of the scale
 uniform vec4 uScale[9];
 
 out vec3 vPosition;
@@ -22,8 +22,8 @@ void main() {
     vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
     vNormal = aNormal;
     vColor = aColor;
-    if (uByBirth) {
-        float place = clamp((float(gl_VertexID / 3) + 0.5) / uBirthEnd, 0.0, 1.0) * 8.0;
+    if (uByCreation) {
+        float place = clamp((float(gl_VertexID / 3) + 0.5) / uCreationEnd, 0.0, 1.0) * 8.0;
         int low = min(int(place), 7);
         vColor = mix(uScale[low], uScale[low + 1], place - float(low));
     }

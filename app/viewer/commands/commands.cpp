@@ -201,7 +201,7 @@ const auto kCommands = std::to_array<Command>({
      "Show the previous region of difference.",
      [](C& c) { pause(c), c.compare.toPreviousRegion(); }, "", kRepeats},
     {"step.birth", "Step", "Where the selection was made", "",
-     "Go to the pivot that made the selected edge or triangle.", goToBirth},
+     "Go to the pivot that made the selected edge or triangle.", goToCreation},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",
      [](C& c) { c.ui.goTo.open(); }, "jump address find"},
 

@@ -277,7 +277,7 @@ void foldColumn(C& c) {
     }
 }
 
-void goToBirth(C& c) {
+void goToCreation(C& c) {
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
     const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
     if (!origin) return c.session.messages().say("The decision that made this is not known yet.");

@@ -83,7 +83,7 @@ void turnSection(CommandContext& c, int direction);
 /// Folds the column to its rail, or unfolds it.
 void foldColumn(CommandContext& c);
 /// To the decision that made the selected edge or triangle.
-void goToBirth(CommandContext& c);
+void goToCreation(CommandContext& c);
 
 /// Pins a layer on or off.
 void toggle(CommandContext& c, LayerId layer);

@@ -102,7 +102,7 @@ void addDoctor(const RunSpec& spec, const MeshTarget& target, Steps& steps) {
         ++files;
         std::string repaired = besideMesh(
             target,
-            fmt::format("{}-mended{}.ply", stem, files > 1 ? fmt::format("-{}", files) : ""));
+            fmt::format("{}-fixed{}.ply", stem, files > 1 ? fmt::format("-{}", files) : ""));
         steps.before +=
             fmt::format("{{ {} doctor {} -q --fix {}{}; [ $? -le 1 ]; }} && ", kProgram,
                         inputOf(steps), shellPath(repaired), drops ? " --drop " + name : "");

@@ -56,8 +56,8 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.meshEdgeColor = in.mesh.style == MeshStyle::Wire ? in.palette.done : in.palette.meshEdge;
     // The repaired mesh has no creation order, but its triangles have their components.
     const bool ordered = in.picture.repaired == nullptr;
-    const bool byBirth = in.mesh.style == MeshStyle::CreationOrder;
-    out.meshStyle = ordered || !byBirth ? in.mesh.style : MeshStyle::Flat;
+    const bool byCreation = in.mesh.style == MeshStyle::CreationOrder;
+    out.meshStyle = ordered || !byCreation ? in.mesh.style : MeshStyle::Flat;
     out.creationEnd = in.mesh.creationEnd;
     addComponentColors(in, out);
     // New triangles are among them; those drawn below cover them.

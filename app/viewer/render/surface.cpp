@@ -321,7 +321,7 @@ void Surface::drawSolid(const DrawList& list, const SurfaceView& view) {
     shaders_.mesh.set("uGhost", glm::vec4(0.0F));
     shaders_.mesh.set("uSmooth", 0.0F);
     shaders_.mesh.set("uWire", false);
-    shaders_.mesh.set("uByBirth", false);
+    shaders_.mesh.set("uByCreation", false);
     // New triangles and faults are data: their color stays on the back too.
     shaders_.mesh.set("uSoft", 0.35F);
     drawFaces(list.faces);
@@ -381,8 +381,8 @@ void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
     const bool data = list.meshStyle >= MeshStyle::CreationOrder;
     shaders_.mesh.set("uSmooth", list.meshStyle == MeshStyle::Shaded ? 1.0F : 0.0F);
     shaders_.mesh.set("uWire", list.meshStyle == MeshStyle::Wire);
-    shaders_.mesh.set("uByBirth", list.meshStyle == MeshStyle::CreationOrder);
-    shaders_.mesh.set("uBirthEnd", static_cast<float>(list.creationEnd));
+    shaders_.mesh.set("uByCreation", list.meshStyle == MeshStyle::CreationOrder);
+    shaders_.mesh.set("uCreationEnd", static_cast<float>(list.creationEnd));
     // Colors that are data must stay distinguishable in the shade.
     shaders_.mesh.set("uSoft", data ? 0.6F : 0.0F);
     if (list.meshStyle == MeshStyle::Wire)
@@ -406,7 +406,7 @@ void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
 
 /// Drawn over the finished triangles, at exactly the same depth.
 void Surface::drawTinted(const DrawList& list) {
-    shaders_.mesh.set("uByBirth", false);
+    shaders_.mesh.set("uByCreation", false);
     DrawPacer pacer;
     for (std::size_t i = 0; i < tinted_.size(); ++i) {
         const TintedTriangles& tinted = list.tinted[i];

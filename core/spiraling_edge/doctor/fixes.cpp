@@ -23,7 +23,7 @@ class FixApplication {
 
     FixedFile run(std::span<const Index> alsoDrop, std::string_view reason) && {
         markUnfit();
-        mendNormals();
+        fixNormals();
         markAsked(alsoDrop, reason);
         scaleNormals();
         correctCorners();
@@ -64,7 +64,7 @@ class FixApplication {
 
     /// Normals without a direction: takes all normals out, to be derived, if most are so; else
     /// derives these, and drops the points where that is not possible.
-    void mendNormals() {
+    void fixNormals() {
         std::vector<Index> missing;
         for (Index p = 0; p < file_.normal.size(); ++p) {
             if (keep_[p] && !hasDirection(file_.normal[p])) missing.push_back(p);

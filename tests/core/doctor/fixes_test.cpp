@@ -203,7 +203,7 @@ TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
     CHECK(problemNames(fixed.file) == "flipped_normals ");
 }
 
-TEST_CASE("doctor: whatever the input, what can be mended is mended at once") {
+TEST_CASE("doctor: whatever the input, what can be fixed is fixed at once") {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const PointSet points = randomPoints(seed);
         Random random(seed);

@@ -98,7 +98,7 @@ TEST_CASE("A piece is read by the first command") {
     spec.fixes = {"duplicates"};
     CHECK(textOf(spec) ==
           "{ spiraling-edge doctor /in/a.ply --crop=-1,0,0,1,2,0.5 --thin 0.25 -q --fix "
-          "a-mended.ply; [ $? -le 1 ]; } && spiraling-edge run a-mended.ply -o m.ply");
+          "a-fixed.ply; [ $? -le 1 ]; } && spiraling-edge run a-fixed.ply -o m.ply");
 }
 
 TEST_CASE("Sampled points are written first, beside the mesh") {
@@ -119,11 +119,11 @@ TEST_CASE("A repair by the doctor is a command before, an option chosen by it an
                   "short_lists"};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
     CHECK(command.text ==
-          "{ spiraling-edge doctor /in/a.ply -q --fix /out/a-mended.ply; [ $? -le 1 ]; } && "
-          "{ spiraling-edge doctor /out/a-mended.ply -q --fix /out/a-mended-2.ply --drop "
+          "{ spiraling-edge doctor /in/a.ply -q --fix /out/a-fixed.ply; [ $? -le 1 ]; } && "
+          "{ spiraling-edge doctor /out/a-fixed.ply -q --fix /out/a-fixed-2.ply --drop "
           "near_duplicates; [ $? -le 1 ]; } && "
-          "spiraling-edge run /out/a-mended-2.ply --neighbors 12 --orient -o /out/m.ply");
-    CHECK(command.note.find("a-mended-2.ply") != std::string::npos);
+          "spiraling-edge run /out/a-fixed-2.ply --neighbors 12 --orient -o /out/m.ply");
+    CHECK(command.note.find("a-fixed-2.ply") != std::string::npos);
 }
 
 TEST_CASE("Points from standard input have no command: a sentence names the step needed first") {

@@ -180,7 +180,7 @@ struct Plate {
     bool fits = false;
 };
 
-std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect> taken) {
+std::optional<Rect> drawCreation(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::string last = grouped(context.drawList.creationEnd);
     Plate plate(context, taken, "triangle, in creation order", 12.0F * em, 1.7F);
@@ -254,7 +254,7 @@ std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Re
     if (drawn.cloudVisible && drawn.marginTint) {
         place = drawMargins(context, taken);
     } else if (drawn.meshVisible && drawn.meshStyle == MeshStyle::CreationOrder) {
-        place = drawBirth(context, taken);
+        place = drawCreation(context, taken);
     } else if (drawn.meshVisible && drawn.meshStyle == MeshStyle::Component) {
         place = drawComponents(context, taken);
     }

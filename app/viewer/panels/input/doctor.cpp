@@ -91,7 +91,7 @@ std::string commandForMade(const std::string& source, const Finding& finding) {
     if (making.empty()) return {};
     const std::string stem = sampleStem(spec.value(), spec.value().count);
     return making + " && " +
-           remedyFor(finding, shellPath(stem + ".ply"), shellPath(stem + "-mended.ply"));
+           remedyFor(finding, shellPath(stem + ".ply"), shellPath(stem + "-fixed.ply"));
 }
 
 /// The command of a fix, ready to be pasted, with absolute paths for any folder.
@@ -106,7 +106,7 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
     if (isSample(source)) return commandForMade(source, finding);
     // There is no file.
     if (isPacked(source)) return {};
-    const std::string output = fs::path(source).stem().string() + "-mended.ply";
+    const std::string output = fs::path(source).stem().string() + "-fixed.ply";
     return remedyFor(finding,
                      shellPath(wholePath(source)) +
                          optionsText(context.session().input().spec(), {SpecGroup::Reading}),

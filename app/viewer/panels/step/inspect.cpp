@@ -76,7 +76,7 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
 }
 
 /// Link to the pivot that made the thing, or a note that it is not known yet.
-void drawBirth(const PanelContext& context, const SelectionFacts& facts, const char* thing) {
+void drawCreation(const PanelContext& context, const SelectionFacts& facts, const char* thing) {
     const Session& session = context.session();
     const auto pivot = facts.number ? pivotOfTriangle(session.overview(), *facts.number)
                                     : std::optional<std::uint32_t>{};
@@ -108,7 +108,7 @@ void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
         valueRow(context, "ring", facts.ring.empty() ? "on none" : facts.ring);
         ImGui::EndTable();
     }
-    drawBirth(context, facts, "edge");
+    drawCreation(context, facts, "edge");
 }
 
 void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
@@ -120,7 +120,7 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
         valueRow(context, "area", numberText(facts.area));
         ImGui::EndTable();
     }
-    drawBirth(context, facts, "triangle");
+    drawCreation(context, facts, "triangle");
 }
 
 void drawSelection(const PanelContext& context) {
