@@ -17,7 +17,7 @@ hash() { sha256sum | cut -c1-16; }
 said() {
     local name=$1 code=0 sum
     shift
-    sum=$("$@" 2>/dev/null </dev/null | sed -E '/"seconds"|[0-9.]+ s\b|^ *"(read|trials|prepare|triangulate|write|normals|orientation|types|rim|neighbors)": [0-9.e-]+,?$/d' | hash) || code=$?
+    sum=$("$@" 2>/dev/null </dev/null | sed -E '/"seconds"|[0-9.]+ s\b|^ *"(read|trials|prepare|judge|triangulate|write|normals|orientation|types|rim|neighbors)": [0-9.e-]+,?$/d' | hash) || code=$?
     printf ' %s %s' "$name" "$sum"
     [ "$code" = 0 ] || printf ' (%s)' "$code"
 }

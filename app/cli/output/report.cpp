@@ -324,6 +324,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["seconds"] = {{"read", outcome.seconds.read},
                        {"trials", outcome.seconds.trials},
                        {"prepare", outcome.seconds.prepare},
+                       {"judge", outcome.seconds.judge},
                        {"triangulate", outcome.seconds.triangulate},
                        {"write", outcome.seconds.write}};
     // File names need not be UTF-8; other bytes are replaced.

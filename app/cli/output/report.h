@@ -19,6 +19,7 @@ struct Seconds {
     double read = 0.0;
     double trials = 0.0;  ///< Of --best.
     double prepare = 0.0;
+    double judge = 0.0;  ///< To prepare the points that faults are judged by.
     double triangulate = 0.0;
     double write = 0.0;
 };

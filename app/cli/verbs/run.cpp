@@ -354,6 +354,7 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
         runWithProgress("preparing", named.source, line,
                         [&](const Progress& progress) { return prepare(file, options, progress); });
     arguments.input.requirePossible(prepared.points, outcome.params);
+    outcome.seconds.prepare = watch.lap();
     if (arguments.searchesPairs()) {
         prepared.points.judge =
             runWithProgress("preparing", named.source, line, [&](const Progress& progress) {
@@ -364,7 +365,7 @@ ExitCode runVerb(CLI::App& app, const Arguments& words) {
     }
     outcome.prepared = prepared.report;
     storeDerived(prepared.points, prepared.report, file);
-    outcome.seconds.prepare = watch.lap();
+    outcome.seconds.judge = watch.lap();
     Reconstruction made =
         trace || arguments.maxPivots
             ? triangulate(prepared.points, outcome.params, arguments.maxPivots, trace, line)
