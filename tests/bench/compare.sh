@@ -34,8 +34,8 @@ limit=${LIMIT:-900}
 own="paper robust" # sets of rules of our own program
 
 if [ ! -x "$build/bin/spiraling-edge-peer" ] || [ ! -x "$build/bin/spiraling-edge" ]; then
-    cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSPIRALING_EDGE_BUILD_PEERS=ON \
-        -DSPIRALING_EDGE_BUILD_TESTS=OFF -DSPIRALING_EDGE_BUILD_VIEWER=OFF >&2
+    cmake --preset release -S "$root" -B "$build" -DSPIRALING_EDGE_BUILD_PEERS=ON \
+        -DSPIRALING_EDGE_BUILD_VIEWER=OFF >&2
     cmake --build "$build" --target spiraling-edge spiraling-edge-peer spiraling-edge-peer-tool >&2
 fi
 tool=$build/bin/spiraling-edge-peer-tool
@@ -90,7 +90,7 @@ soundness() {
     flipped=$(field "$json" flipped_triangles)
     # These two do not orient triangles; we turn each by its normals.
     case $1 in alpha | crust) flipped= ;; esac
-    echo " $(field "$json" points_in_no_triangle) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting_triangles)"
+    echo " $(field "$json" lost_points) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting_triangles)"
 }
 
 # table LABEL INPUT: medians and faults of all methods on one input.
