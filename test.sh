@@ -16,6 +16,7 @@ while getopts j: option; do
 done
 logs=build-test/logs
 mkdir -p "$logs"
+rm -f "$logs"/*.status
 passed=0
 failed=0
 summary=()
