@@ -1,7 +1,7 @@
-/// A replay of the ring stack from events alone. Events carry lengths, not rings: where a split,
-/// join or close may concern the active ring or one pushed by the same pivot, the length that fits
-/// decides. Freed lanes go to a heap, so that the least free number is reused. O(1) per event,
-/// O(log lanes) per lane.
+/// A replay of the ring stack from events. These carry lengths, not rings: where a split, join or
+/// close may concern the active ring or one pushed by the same pivot, the length that fits decides,
+/// and of equal ones the rings after the pivot. Freed lanes go to a heap, so that the least free
+/// number is reused. O(1) per event, O(log lanes) per lane.
 #include "spiraling_edge/run/ring_lanes.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ void LaneTracker::take(const Event& event) {
                    [&](const AdvanceEvidence& advance) {
                        if (advance.popped) pop();
                    },
-                   [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
+                   [&](const ShelveEvidence&) { shelveActive(); },
                    [&](const TakeUpEvidence&) {
                        shelved_ = 0;
                        if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
@@ -191,11 +191,9 @@ void LaneTracker::endActive(LaneChangeKind kind) {
     endLane(kind, lane, lane);
 }
 
-void LaneTracker::shelveActive(Index shelved) {
+void LaneTracker::shelveActive() {
     if (!active_) return;
-    const std::size_t place = std::min<std::size_t>(shelved, stack_.size());
-    stack_.insert(stack_.begin() + static_cast<std::ptrdiff_t>(place), *active_);
-    shelved_ = place + 1;
+    stack_.insert(stack_.begin() + static_cast<std::ptrdiff_t>(shelved_++), *active_);
     active_.reset();
 }
 
@@ -214,12 +212,10 @@ void LaneTracker::settle(const EdgeRings& rings) {
     if (!active_) {
         if (stack_.empty()) return;
         // The pivot's ring was closed, and the traversal continues in one that it had split off.
-        const auto isMeant = [&](const Ring& ring) {
-            return ring.number == rings.number(rings.active());
-        };
-        const auto meant = std::find_if(stack_.rbegin(), stack_.rend(), isMeant);
-        activate(meant == stack_.rend() ? stack_.size() - 1
-                                        : static_cast<std::size_t>(stack_.rend() - meant) - 1);
+        std::size_t place = stack_.size() - 1;
+        const Index meant = rings.number(rings.active());
+        while (stack_[place].number != meant && place > 0 && stack_[place - 1].fresh) --place;
+        activate(place);
     }
     // Where two rings were equally long, the wrong one may have been split.
     active_->length = rings.length(rings.active());

@@ -63,7 +63,8 @@ class LaneTracker {
     void begin(const EdgeRings& rings);
     /// Takes the next event of the run.
     void take(const Event& event);
-    /// Corrects the lanes from the rings, for changes without an event. Call between two pivots.
+    /// Corrects the active ring and lengths from the rings, for changes without an event, and where
+    /// an event fits several rings. Call between two pivots.
     void settle(const EdgeRings& rings);
 
     const std::optional<Ring>& active() const { return active_; }
@@ -90,8 +91,8 @@ class LaneTracker {
     void activate(std::size_t place);
     /// Activates the ring that the rule takes off the stack.
     void pop();
-    /// Puts the active ring above the first `shelved` rings of the stack.
-    void shelveActive(Index shelved);
+    /// Puts the active ring above the shelved ones.
+    void shelveActive();
     void endActive(LaneChangeKind kind);
     void endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
     void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other, Index ring = 0);
@@ -100,7 +101,7 @@ class LaneTracker {
     StackRule rule_;
     std::optional<Ring> active_;
     std::vector<Ring> stack_;
-    std::size_t shelved_ = 0;  ///< Of the stack, at its bottom.
+    std::size_t shelved_ = 0;  ///< Number of rings at the bottom of the stack that are shelved.
     std::vector<LaneChange> changes_;
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;
     std::uint32_t lanes_ = 0;
