@@ -1,5 +1,6 @@
-/// Coordinates in 2^10 steps per axis are interleaved to a 30-bit code, packed with the index into
-/// 64 bits and sorted by a radix sort in three passes. O(points).
+/// Coordinates in 2^10 steps per axis are interleaved to a 30-bit code; for a Gray-code curve, its
+/// rank among such codes is taken. Codes are packed with the index into 64 bits and sorted by a
+/// radix sort in three passes. O(points).
 #include "spiraling_edge/geometry/z_curve.h"
 
 #include <algorithm>
@@ -29,8 +30,9 @@ std::uint64_t spread(std::uint64_t x) {
 /// The code of a point's place on the curve in the upper half, its index in the lower.
 using Coded = std::uint64_t;
 
-/// The place of a code of 30 bits among all Gray codes.
+/// The place of a code of 30 bits among all Gray codes, turned so that kNowhere stays the last.
 std::uint64_t rankOfGray(std::uint64_t code) {
+    code ^= kNowhere >> 1U;
     for (unsigned shift = 1; shift < 3 * kBits; shift *= 2) code ^= code >> shift;
     return code;
 }

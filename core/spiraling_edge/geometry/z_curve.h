@@ -13,9 +13,9 @@ namespace se {
 /// come last. O(points).
 std::vector<Index> zCurveOrder(std::span<const Vec3> position);
 
-/// The same along a Gray-code curve (Faloutsos 1986). Each of its steps goes along one axis; those
-/// of a Z-curve also go back along two or three, so that boxes around groups of neighbors are
-/// larger.
+/// The indices along a Gray-code curve (Faloutsos 1986), otherwise as above. Each of its steps goes
+/// along one axis; those of a Z-curve also go back along two or three, so that boxes around groups
+/// of neighbors are larger.
 std::vector<Index> grayCurveOrder(std::span<const Vec3> position);
 
 }  // namespace se

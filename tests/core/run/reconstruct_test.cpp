@@ -188,4 +188,7 @@ TEST_CASE("the order of the Z-curve: every point once, near ones together, none 
         CHECK((step.x != 0.0) + (step.y != 0.0) + (step.z != 0.0) == 1);
     }
     CHECK(order.back() == 0);
+    // What is not finite comes last in any place, as on the Z-curve.
+    const std::vector<Vec3> halfway{{nan, 0, 0}, {0, 0, 0.51}, {1, 1, 1}, {0, 0, 0}};
+    CHECK(grayCurveOrder(halfway).back() == 0);
 }
