@@ -158,11 +158,7 @@ bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& sh
     return gap <= shapeA.reach + shapeB.reach;
 }
 
-}  // namespace
-
-namespace {
-
-/// LayerShape::reach.
+/// The reach of a triangle (LayerShape::reach).
 double reachOf(const PointSet& points, const Triangle& t) {
     const Vec3& a = points.position[t.a];
     const Vec3& b = points.position[t.b];
@@ -179,7 +175,8 @@ double mostAlong(double unit) {
     return along * kCosine + std::sqrt(1.0 - along * along) * kSine;
 }
 
-Box conflictBox(const Box& box, const Vec3& unit, double reach) {
+/// The box, grown by the reach along directions near a unit vector.
+Box grownAlong(const Box& box, const Vec3& unit, double reach) {
     constexpr double kMargin = 1.0 + 1e-9;  // Far above the rounding of a unit vector.
     const Vec3 width =
         kMargin * reach * Vec3(mostAlong(unit.x), mostAlong(unit.y), mostAlong(unit.z));
@@ -192,14 +189,14 @@ Box conflictBox(const Box& box, const Vec3& unit, double reach) {
 }  // namespace
 
 Box conflictBox(const Box& box, const LayerShape& shape) {
-    return conflictBox(box, shape.outward, shape.reach);
+    return grownAlong(box, shape.outward, shape.reach);
 }
 
 Box conflictBox(const PointSet& points, const Triangle& t) {
     const Vec3 normal = areaVector(points, t);
     const double length = glm::length(normal);
     const Vec3 unit = length > 0.0 ? normal / length : Vec3(0.0);
-    return conflictBox(boxOf(points, t), unit, reachOf(points, t));
+    return grownAlong(boxOf(points, t), unit, reachOf(points, t));
 }
 
 LayerShape layerShape(const PointSet& points, const Triangle& t) {

@@ -97,7 +97,7 @@ struct PairCandidate {
     Index triangle;
     LayerShape shape;
     Box box;
-    Box wide;  ///< conflictBox()
+    Box wide;  ///< conflictBox() of the triangle.
 };
 
 /// Tests the pairs of one task after the other; its memory is reused.

@@ -35,7 +35,7 @@ class FillingTable {
         return found;
     }
     /// The best filling around the point inside with a triangle at the side before a place, and its
-    /// cost, if that is below `most`.
+    /// cost; none if that is not below `most`.
     std::pair<double, Filling> fillingAround(std::size_t first, double most);
 
   private:
@@ -44,7 +44,7 @@ class FillingTable {
 
     std::size_t at(std::size_t i, std::size_t k) const { return i % count_ * count_ + k - i; }
 
-    /// Of the best filling of a part; found when it is asked for.
+    /// The cost of the best filling of a part, found when it is asked for; kNoWay if there is none.
     double costOf(std::size_t i, std::size_t k) {
         if (k == i + 1) return Goal::kNone;
         if (cost_[at(i, k)] == kUnknown) {
@@ -59,9 +59,9 @@ class FillingTable {
         for (std::size_t j = i + 1; j < k; ++j) {
             const Triangle made = triangle(i, j, k);
             const double own = Goal::of(search_.points_, made);
-            if (own >= least || !search_.isFit(placesOf(i, j, k))) continue;
+            if (!(own < least) || !search_.isFit(placesOf(i, j, k))) continue;
             const double cost = Goal::sum(own, costOf(i, j), costOf(j, k));
-            if (cost >= least || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
+            if (!(cost < least) || folds(made, i, j, k) || !mayMake(i, j, k)) continue;
             least = cost_[at(i, k)] = cost;
             middle_[at(i, k)] = j - i;
         }
@@ -89,7 +89,7 @@ class FillingTable {
         collect(j, k, found);
     }
 
-    /// From the least place on.
+    /// The triangle of three places, from the least one on.
     RingTriangle placesOf(std::size_t i, std::size_t j, std::size_t k) const {
         return fromLeastPlace({i % count_, j % count_, k % count_});
     }
@@ -120,7 +120,7 @@ std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first, 
     const Triangle closing = inside(last, first);
     const double closingCost = Goal::of(search_.points_, closing);
     const std::pair<double, Filling> none{kNoWay, {}};
-    if (closingCost >= most || !search_.mayMake(placesInside(last, first)) ||
+    if (!(closingCost < most) || !search_.mayMake(placesInside(last, first)) ||
         foldsOutside(closing, last))
         return none;
     // Per place from the first on, of the triangles around the point up to there, with the parts
@@ -139,9 +139,9 @@ std::pair<double, Filling> FillingTable<Goal>::fillingAround(std::size_t first, 
             const Triangle made = inside(i, k);
             const double own =
                 Goal::sum(Goal::of(search_.points_, made), cost[i - first], Goal::kNone);
-            if (own >= least || !search_.isFit(placesInside(i, k))) continue;
+            if (!(own < least) || !search_.isFit(placesInside(i, k))) continue;
             const double sum = Goal::sum(own, costOf(i, k), Goal::kNone);
-            if (sum >= least || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
+            if (!(sum < least) || foldsAt(made, i, k) || foldsOntoPrevious(made, i) ||
                 !search_.mayMake(placesInside(i, k)))
                 continue;
             least = sum;
@@ -218,7 +218,7 @@ Filling FillingSearch::findAround() {
     FillingTable<LeastAngle> table(*this);
     for (std::size_t first = 0; first < ring_.size(); ++first) {
         auto [cost, filling] = table.fillingAround(first, least);
-        if (cost >= least || crossesItself(filling)) continue;
+        if (filling.empty() || crossesItself(filling)) continue;
         least = cost;
         best = std::move(filling);
     }
@@ -268,7 +268,7 @@ bool FillingSearch::hasBlockedSide() {
 /// True if a triangle that stays has an edge between the points at two places.
 bool FillingSearch::staysJoined(std::size_t u, std::size_t v) {
     std::optional<bool>& known = joined_[std::min(u, v) * (ring_.size() + 1) + std::max(u, v)];
-    if (!known) known = findStaying(ring_.at(u), ring_.at(v));
+    if (!known) known = findStaying(ring_.at(std::min(u, v)), ring_.at(std::max(u, v)));
     return *known;
 }
 bool FillingSearch::findStaying(Index u, Index v) const {

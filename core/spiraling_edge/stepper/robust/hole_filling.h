@@ -98,8 +98,8 @@ class FillingSearch {
 };
 
 /// Grows a patch to each of these numbers of triangles in turn, or as far as it goes, by those
-/// nearest to the first before others, until it has a filling other than its triangles, which these
-/// are replaced by. Returns how many of them the filling lacks; 0 if no patch of these sizes has
+/// nearest to the first before others, until it has a filling other than its own triangles, which
+/// takes their place. Returns how many of them the filling lacks; 0 if no patch of these sizes has
 /// such a filling.
 Index replacePatch(const PointSet& points, RepairState& repair, HoleRing& patch,
                    std::span<const std::size_t> sizes);

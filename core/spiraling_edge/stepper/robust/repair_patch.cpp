@@ -11,7 +11,7 @@
 namespace se {
 namespace {
 
-/// True if a neighbor of a triangle has a smaller index, as of most.
+/// True if a neighbor of a triangle has a smaller index, as most triangles have.
 bool followsNeighbor(const RepairState& m, Index t) {
     const HalfEdge first = 3 * t;
     return m.twin[first] < first || m.twin[first + 1] < first || m.twin[first + 2] < first;
