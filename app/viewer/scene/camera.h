@@ -189,10 +189,10 @@ inline constexpr float kSolidShare = 0.8F;
 inline constexpr float kFaintest = 0.02F;
 
 /// The most by which single marks and lines grow.
-inline constexpr float kMarkGrowth = 1.15F;
+inline constexpr float kMaxMarkZoom = 1.15F;
 /// Growth of single marks and lines where points are that many pixels apart.
 inline float markZoom(float pixels, float em) {
-    return std::clamp(pixels / em / 1.5F, 0.72F, kMarkGrowth);
+    return std::clamp(pixels / em / 1.5F, 0.72F, kMaxMarkZoom);
 }
 
 // Signs beside the surface, and behind it.

@@ -61,7 +61,7 @@ std::vector<LabelMark> ScreenProjection::marks() const {
         if (sprite.style.size < kMarkFrom || all.size() == kMaxSights) continue;
         const auto place = at(sprite.position);
         if (!place || !view_.contains(*place)) continue;
-        all.push_back({*place, 0.5F * kMarkGrowth * sprite.style.size * context_.em});
+        all.push_back({*place, 0.5F * kMaxMarkZoom * sprite.style.size * context_.em});
     }
     return all;
 }
