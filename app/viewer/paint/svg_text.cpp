@@ -212,8 +212,8 @@ void SvgPainter::text(glm::vec2 at, const std::string& words, const Ink& ink, co
 }
 
 glm::vec2 SvgPainter::textSize(const std::string& words, const Type& type) const {
-    const auto letters = std::count_if(words.begin(), words.end(),
-                                       [](char byte) { return !continuesSign(byte); });
+    const auto letters =
+        std::count_if(words.begin(), words.end(), [](char byte) { return !continuesSign(byte); });
     return {kMeanLetter * type.size * static_cast<float>(letters), type.size};
 }
 
