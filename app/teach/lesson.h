@@ -4,6 +4,7 @@
 /// lesson_check.h.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -47,9 +48,12 @@ struct KeyLines {
     std::size_t of(std::string_view key) const;
 };
 
+/// Names of the units that are played by.
+inline constexpr std::array<std::string_view, 3> kPlayUnits = {"sub-step", "pivot", "event"};
+
 /// Playback from the position of a step to its `until`.
 struct PlaySpeed {
-    std::string unit;  ///< "sub-step", "pivot" or "event".
+    std::string unit;  ///< One of kPlayUnits.
     double perSecond = 0.0;
 };
 

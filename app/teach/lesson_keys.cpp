@@ -216,7 +216,6 @@ bool readCompare(const toml::node& node, LessonStep& step) {
 
 /// "pivot 2/s"
 bool readPlay(const toml::node& node, LessonStep& step) {
-    constexpr std::array<std::string_view, 3> kUnits{"sub-step", "pivot", "event"};
     std::string text;
     if (!readValue(node, text)) return false;
     const std::size_t blank = text.find(' ');
@@ -228,7 +227,7 @@ bool readPlay(const toml::node& node, LessonStep& step) {
     play.perSecond = numberIn<double>(digits).value_or(0.0);
     step.play = play;
     return play.perSecond > 0.0 &&
-           std::find(kUnits.begin(), kUnits.end(), play.unit) != kUnits.end();
+           std::find(kPlayUnits.begin(), kPlayUnits.end(), play.unit) != kPlayUnits.end();
 }
 
 /// A text that names no answer of the run is the answer itself.

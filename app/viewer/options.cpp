@@ -108,7 +108,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     auto* from = add("--from", raw.from);
     from->needs(add("--to", raw.to)->needs(from));
     add("--around", raw.around)->excludes(from);
-    add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(kUnitNames));
+    add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(teach::kPlayUnits));
     add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
     add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));

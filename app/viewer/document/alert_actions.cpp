@@ -77,12 +77,7 @@ Selection subjectOf(const RunFailure& alert) {
     return Selection::ofTriangle(made != nullptr ? made->corners : alert.corners.back());
 }
 
-std::string titleOf(const FailureClass& kind) {
-    std::string title(kind.name);
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (title.starts_with("non ")) title[3] = '-';  // As in FailureClass::singular.
-    return title;
-}
+std::string titleOf(const FailureClass& kind) { return nounFor(kind, 2); }
 
 std::string watchNote(std::size_t points, std::size_t noticed) {
     if (points > kMaxWatched)

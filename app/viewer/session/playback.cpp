@@ -15,7 +15,7 @@ constexpr int kMaxAtOnce = 8;
 }  // namespace
 
 std::optional<PlayUnit> unitFromName(std::string_view name) {
-    return idNamed<PlayUnit>(kUnitNames, name);
+    return idNamed<PlayUnit>(teach::kPlayUnits, name);
 }
 
 PlayUnit following(PlayUnit unit) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "spiraling_edge/stepper/event.h"
+#include "teach/lesson.h"
 
 namespace se::view {
 
@@ -17,10 +18,9 @@ enum class PlayUnit : std::uint8_t {
     Event,    ///< To the next split, join, seed or alert.
 };
 
-/// Names of the units, in their order.
-inline constexpr std::array<std::string_view, 3> kUnitNames = {"sub-step", "pivot", "event"};
+/// One of teach::kPlayUnits, which are in the same order.
 inline std::string_view unitName(PlayUnit unit) {
-    return kUnitNames[static_cast<std::size_t>(unit)];
+    return teach::kPlayUnits[static_cast<std::size_t>(unit)];
 }
 /// Nothing for another name.
 std::optional<PlayUnit> unitFromName(std::string_view name);

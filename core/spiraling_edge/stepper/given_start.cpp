@@ -228,7 +228,7 @@ class StartChecker {
                 const bool edge = edges_.contains({step.from, step.to});
                 if (isOpen(step) && edge) return text + " is open, but an edge of a triangle.";
                 if (isOpen(step)) continue;
-                if (!edges_.contains({step.from, step.to})) {
+                if (!edge) {
                     return text +
                            " is no edge of a triangle; give the triangle on its left, or name the "
                            "step in \"open\" (invariant 3).";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -145,8 +146,7 @@ int faultsOf(const StepContext& context, const Triangle& made) {
                 near.push_back(h / 3);
         }
     }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    sortUnique(near);
     int faults = 1 + shapeFaults(context.points, made);
     for (const Index t : near) faults += conflict(context.points, made, s.triangles[t]) ? 1 : 0;
     return faults;
