@@ -370,6 +370,8 @@ std::string fittedWords(const std::string& text, float width) {
     if (textWidth(text) <= width) return text;
     for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
          end = text.rfind(' ', end - 1)) {
+        // A number stays with what it counts.
+        if (text[end - 1] >= '0' && text[end - 1] <= '9') continue;
         const std::string cut = text.substr(0, end) + " " + kEllipsis;
         if (textWidth(cut) <= width) return cut;
     }
