@@ -89,7 +89,8 @@ TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") 
     CHECK(all.several > 0);
 }
 
-TEST_CASE("Replayed rings split and join by every value of a rule of the paper") {
+TEST_CASE("Replayed rings split and join by every value of a rule of the paper" *
+          doctest::test_suite("long")) {
     Followed all;
     test::forEachPaperRule(Params(), [&](const Params& params, const std::string& rule) {
         CAPTURE(rule);
