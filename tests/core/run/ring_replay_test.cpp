@@ -68,6 +68,17 @@ Followed follow(const char* scene, const Params& params, std::uint32_t last) {
     return seen;
 }
 
+/// Splits and joins of three scenes by some rules.
+Followed followScenes(const Params& params) {
+    Followed all;
+    for (const char* scene : {"torus", "figure-12", "linked-tori"}) {
+        const Followed seen = follow(scene, params, 400);
+        all.splits += seen.splits;
+        all.joins += seen.joins;
+    }
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") {
@@ -89,16 +100,25 @@ TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") 
     CHECK(all.several > 0);
 }
 
+TEST_CASE("Replayed rings split and join by the rules of the run") {
+    for (const char* rule :
+         {"active=other", "active=longer", "active=shorter", "instance=first", "reciprocal=off"}) {
+        CAPTURE(rule);
+        Params params;
+        const RuleValue value = ruleValueFromText(rule).value();
+        REQUIRE(applyRuleValues({&value, 1}, params).ok());
+        CHECK(followScenes(params).splits > 3);
+    }
+}
+
 TEST_CASE("Replayed rings split and join by every value of a rule of the paper" *
           doctest::test_suite("long")) {
     Followed all;
     test::forEachPaperRule(Params(), [&](const Params& params, const std::string& rule) {
         CAPTURE(rule);
-        for (const char* scene : {"torus", "figure-12", "linked-tori"}) {
-            const Followed seen = follow(scene, params, 400);
-            all.splits += seen.splits;
-            all.joins += seen.joins;
-        }
+        const Followed seen = followScenes(params);
+        all.splits += seen.splits;
+        all.joins += seen.joins;
     });
     CHECK(all.splits > 100);
     CHECK(all.joins > 20);
