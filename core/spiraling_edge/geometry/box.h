@@ -22,7 +22,9 @@ struct Box {
         high = glm::max(high, p);
     }
     /// The box that reaches farther by `width` on every side.
-    Box grown(double width) const {
+    Box grown(double width) const { return grown(Vec3(width)); }
+    /// The box that reaches farther by `width` on both sides of each axis.
+    Box grown(const Vec3& width) const {
         Box box = *this;
         box.low -= width;
         box.high += width;

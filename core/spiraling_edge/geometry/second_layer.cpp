@@ -178,12 +178,8 @@ double mostAlong(double unit) {
 /// The box, grown by the reach along directions near a unit vector.
 Box grownAlong(const Box& box, const Vec3& unit, double reach) {
     constexpr double kMargin = 1.0 + 1e-9;  // Far above the rounding of a unit vector.
-    const Vec3 width =
-        kMargin * reach * Vec3(mostAlong(unit.x), mostAlong(unit.y), mostAlong(unit.z));
-    Box grown = box;
-    grown.low -= width;
-    grown.high += width;
-    return grown;
+    return box.grown(kMargin * reach *
+                     Vec3(mostAlong(unit.x), mostAlong(unit.y), mostAlong(unit.z)));
 }
 
 }  // namespace
