@@ -500,7 +500,7 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"view.spotlight", presents, "The spotlight belongs to the layout Present (F2)."},
 });
 
-/// Needs of commands that are gray where these do not hold, but are carried out all the same: their
+/// Needs of commands that are gray where these do not hold, but are carried out anyway: their
 /// messages may say more, and undoing ends a change that is still open.
 constexpr auto kMoveNeeds = std::to_array<Need>({
     {"run.play", isBeforeEnd, kFinished},

@@ -195,13 +195,4 @@ inline float markZoom(float pixels, float em) {
     return std::clamp(pixels / em / 1.5F, 0.72F, kMaxMarkZoom);
 }
 
-// Signs beside the surface, and behind it.
-
-/// Share of the point spacing by which points and lines are moved toward the eye.
-inline constexpr float kTowardEye = 0.12F;
-/// Strength of hidden lines.
-inline constexpr float kHiddenAlpha = 0.34F;
-/// Length of the dashes of hidden lines and of their gaps, in em.
-inline constexpr float kHiddenDash = 0.4F;
-
 }  // namespace se::view

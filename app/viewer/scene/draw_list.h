@@ -19,6 +19,13 @@
 
 namespace se::view {
 
+/// Share of the point spacing by which points and lines are moved toward the eye.
+inline constexpr float kTowardEye = 0.12F;
+/// Strength of hidden lines.
+inline constexpr float kHiddenAlpha = 0.34F;
+/// Length of the dashes of hidden lines and of their gaps, in em.
+inline constexpr float kHiddenDash = 0.4F;
+
 struct PointStyle {
     Color color;
     float size = 0.5F;
