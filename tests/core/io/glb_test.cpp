@@ -59,7 +59,7 @@ std::string squareBytes() {
     append<std::uint16_t>(bytes, {0, 1, 2, 0, 2, 3});
     return bytes;
 }
-std::string square() { return glb(document(kNode, kPrimitive, kAccessors, kViews), squareBytes()); }
+std::string squareFile() { return glb(document(kNode, kPrimitive, kAccessors, kViews), squareBytes()); }
 /// The error of the square with one piece of its document replaced.
 std::string errorWith(const std::string& old, const std::string& fresh) {
     std::string json = document(kNode, kPrimitive, kAccessors, kViews);
@@ -69,7 +69,7 @@ std::string errorWith(const std::string& old, const std::string& fresh) {
     return errorOf(glb(json, squareBytes()));
 }
 
-const std::vector<Triangle> kSquare{{0, 1, 2}, {0, 2, 3}};
+const std::vector<Triangle> kSquareFaces{{0, 1, 2}, {0, 2, 3}};
 
 }  // namespace
 
@@ -96,8 +96,8 @@ TEST_CASE("GLB: what this program writes reads back, with or without triangles")
 }
 
 TEST_CASE("GLB: triangles by indices, and points that no triangle has") {
-    const PointFile file = mustRead(square());
-    CHECK(file.faces == kSquare);
+    const PointFile file = mustRead(squareFile());
+    CHECK(file.faces == kSquareFaces);
     CHECK(file.position == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
     CHECK(file.positionType == ScalarType::Float);
     CHECK_FALSE(file.hasNormals());
@@ -115,7 +115,7 @@ TEST_CASE("GLB: strips, fans, lists without indices, and lines, which are left o
                          kAccessors, kViews),
                 squareBytes()));
     };
-    CHECK(read(R"(,"mode":6)", "").faces == kSquare);
+    CHECK(read(R"(,"mode":6)", "").faces == kSquareFaces);
     CHECK(read(R"(,"mode":5)", "").faces == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
     CHECK(read("", "").faces == std::vector<Triangle>{{0, 1, 2}});
     CHECK(read(R"(,"mode":0)", "").faces.empty());
@@ -134,7 +134,7 @@ TEST_CASE("GLB: nodes move, turn, scale and mirror their meshes, one inside the 
         mustRead(glb(document(nodes, kPrimitive, kAccessors, kViews), squareBytes()));
     CHECK(glm::distance(turned.position[1], Vec3(10, 2, 0)) < 1e-12);
     CHECK(glm::distance(turned.position[3], Vec3(8, 0, 0)) < 1e-12);
-    CHECK(turned.faces == kSquare);
+    CHECK(turned.faces == kSquareFaces);
     CHECK(turned.positionType == ScalarType::Double);
     // Mirrored in x, and longer in y: the normals (1 1 0) become (-1 0.5 0).
     std::string bytes = squareBytes();
@@ -261,7 +261,7 @@ TEST_CASE("GLB: what cannot be read is named, with its byte") {
     CHECK(contains(errorWith(R"({"bufferView":0,)", "{"), "sparse or compressed"));
     CHECK(
         contains(errorWith(R"("POSITION":0)", R"("NORMAL":0)"), "expected the attribute POSITION"));
-    std::string old = square();
+    std::string old = squareFile();
     old[4] = 1;
     CHECK(contains(errorOf(old), "byte 4: expected version 2, found 1"));
     CHECK(mustRead(glb("{}", "")).position.empty());
@@ -315,7 +315,7 @@ TEST_CASE("GLB: nodes cannot place more points than memory holds" * doctest::tes
 }
 
 TEST_CASE("GLB: a file cut at any byte is refused, with the byte where it ends") {
-    const std::string whole = square();
+    const std::string whole = squareFile();
     for (std::size_t size = 4; size < whole.size(); ++size) {
         CAPTURE(size);
         CHECK(contains(errorOf(whole.substr(0, size)), "byte " + std::to_string(size)));

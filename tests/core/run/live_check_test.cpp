@@ -54,7 +54,7 @@ std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triang
     return all;
 }
 
-PointSet flat(std::vector<Vec3> position) {
+PointSet flatFan(std::vector<Vec3> position) {
     PointSet points;
     points.position = std::move(position);
     points.normal.assign(points.size(), Vec3(0, 0, 1));
@@ -139,7 +139,7 @@ TEST_CASE("live: a sound run has no failures") {
 
 TEST_CASE("live: the third triangle at an edge, not the fourth") {
     const PointSet points =
-        flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+        flatFan({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
     const auto found = seeAll(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}});
     const auto many = [](const LiveFailure& f) { return f.kind->name == "non_manifold_edges"; };
     REQUIRE(std::count_if(found.begin(), found.end(), many) == 1);
@@ -207,7 +207,7 @@ TEST_CASE("live: a triangle close over another one that faces the same way is a 
 }
 
 TEST_CASE("live: two triangles at a DONE point that share no edge there are more than one fan") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
+    const PointSet points = flatFan({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
     const auto atEnd = [&](const std::vector<Triangle>& triangles) {
         LiveCheck check(points);
         for (Index i = 0; i < triangles.size(); ++i) {

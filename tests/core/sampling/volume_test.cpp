@@ -15,6 +15,7 @@
 
 #include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "support/io_support.h"
 #include "support/oracles.h"
 #include "support/scarce_memory.h"
 #include "support/shared_data.h"
@@ -48,12 +49,6 @@ std::string numbers(std::size_t count, bool big) {
         bytes.append(raw.data(), raw.size());
     }
     return bytes;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    REQUIRE(at != std::string::npos);
-    return text.replace(at, from.size(), to);
 }
 
 std::string gzipped(const std::string& bytes) {
@@ -98,7 +93,7 @@ void checkType(const char* name) {
 }
 
 /// A ball of radius 0.7 as a volume of n^3 samples over [-1, 1]^3.
-Volume ball(std::size_t n) {
+Volume ballVolume(std::size_t n) {
     Volume volume;
     volume.size = {n, n, n};
     volume.spacing = Vec3(2.0 / static_cast<double>(n - 1));
@@ -331,7 +326,7 @@ TEST_CASE("values between samples are trilinear, gradients of linear values exac
 }
 
 TEST_CASE("a volume is sampled like a shape") {
-    const auto volume = std::make_shared<Volume>(ball(24));
+    const auto volume = std::make_shared<Volume>(ballVolume(24));
     SamplerOptions options;
     options.count = 700;
     const Result<PointFile> file = sample(fieldOf(volume, 0.0), options);

@@ -13,16 +13,16 @@ using namespace se::test;
 
 namespace {
 
-constexpr Index kPoints = 10;
+constexpr Index kOnCircle = 10;
 
 /// Points on a circle, each of which lists the next one.
 PointSet circle() {
     PointSet points;
-    for (Index p = 0; p < kPoints; ++p) {
+    for (Index p = 0; p < kOnCircle; ++p) {
         points.position.push_back(polar(36.0 * p));
         points.normal.emplace_back(0, 0, 1);
         points.type.push_back(kInterior);
-        points.neighbors.append(Points{(p + 1) % kPoints});
+        points.neighbors.append(Points{(p + 1) % kOnCircle});
     }
     return points;
 }
