@@ -341,6 +341,18 @@ TEST_CASE("A key, a drag in the view and the go-to box are one step of undo each
     CHECK(app.session.selected() == 12);
 }
 
+TEST_CASE("The sheet of keys has a row for every action") {
+    DrivenApp app({"scene:sphere"});
+    if (!app) return;
+    app.command("change keys");
+    for (const Command& command : commands()) {
+        CAPTURE(std::string(command.id));
+        // Esc cannot be changed.
+        CHECK(app.ui.where.contains("key " + std::string(command.id)) !=
+              (command.id == "help.leave"));
+    }
+}
+
 TEST_CASE("Another key for an action is pressed in its row, a used one only by a second press") {
     DrivenApp app({"scene:sphere"});
     if (!app) return;

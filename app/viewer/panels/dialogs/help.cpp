@@ -205,13 +205,13 @@ void drawColumn(const PanelContext& context, std::initializer_list<const char*> 
 void drawColumns(const PanelContext& context, int columns) {
     if (!ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
     if (columns == 4) {
-        drawColumn(context, {"Step"});
-        drawColumn(context, {"Run", "Edit", "Layers"});
-        drawColumn(context, {"View", "Notes"});
+        drawColumn(context, {"Step", "Notes"});
+        drawColumn(context, {"Run", "Ask", "Edit"});
+        drawColumn(context, {"View", "Layers"});
         drawColumn(context, {"File", "Help"});
     } else {
         drawColumn(context, {"Step", "Run", "File", "Edit", "Layers"});
-        drawColumn(context, {"View", "Notes", "Help"});
+        drawColumn(context, {"View", "Ask", "Notes", "Help"});
     }
     drawMouseGroup(context);
     ImGui::EndTable();
