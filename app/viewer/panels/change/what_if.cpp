@@ -82,7 +82,7 @@ void drawMove(const PanelContext& context, const RunSpec& rules, std::uint32_t p
     constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
         // Each has a line of its own, with room for all digits.
-        fieldName(context, kNames[i], 1.0F);
+        fieldName(context, kNames[i], 1.8F);
         ImGui::SetNextItemWidth(-1.0F);
         ImGui::PushID(kNames[i]);
         textField("##to", kNames[i], form.to[i]);
