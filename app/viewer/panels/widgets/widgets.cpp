@@ -84,6 +84,9 @@ ImU32 toU32(const Color& color) { return ImGui::ColorConvertFloat4ToU32(toVec4(c
 
 void nameItem(const PanelContext& context, const std::string& name, const std::string& tip) {
     context.where()[name] = lastItem();
+    // Items of our own drawing have no frame where the keyboard is; others draw the same one.
+    const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
+    ImGui::RenderNavHighlight(item.NavRect, item.ID);
     if (!tip.empty()) tooltip(tip);
 }
 
@@ -584,7 +587,8 @@ std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const 
     // In a small view the decision needs the room.
     const glm::vec2 room = context.rects.view.size / em;
     if (room.x < kLeastRoom.x || room.y < kLeastRoom.y) return std::nullopt;
-    constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft};
+    // The button Layers and the legend have the upper ones.
+    constexpr std::array kCorners = {Corner::BottomRight};
     const std::optional<Rect> place =
         freeCorner({context.rects.view, 0.5F * em, taken, {}}, glm::vec2(kPlate * em), kCorners);
     if (!place) return std::nullopt;
