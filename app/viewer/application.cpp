@@ -219,7 +219,7 @@ void Application::placeCamera() {
                               !session_.moves().busy() &&
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
-    const FrameRequest request = std::exchange(ui_.frame, FrameRequest::None);
+    const FrameRequest request = resolved(context_, std::exchange(ui_.frame, FrameRequest::None));
     if (atDifference) return frameNow(FrameRequest::Decision);
     if (request != FrameRequest::None) frameNow(request);
 }
@@ -534,8 +534,7 @@ bool Application::goToBoxTakes(const KeyChord& chord) {
 }
 
 void Application::goToTyped() {
-    playback_.pause();
-    const Status status = session_.moves().goToText(ui_.goTo.text());
+    const Status status = jumpingMoves(context_).goToText(ui_.goTo.text());
     if (!status) session_.messages().say(status.error().message);
 }
 

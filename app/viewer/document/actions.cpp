@@ -171,8 +171,8 @@ void toMark(C& c, int direction) {
     const bool ownIsNearer =
         own != nullptr &&
         (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
-    if (ownIsNearer) return c.session.moves().goTo(own->address);
-    if (mark) return c.session.moves().goTo(*mark);
+    if (ownIsNearer) return jumpingMoves(c).goTo(own->address);
+    if (mark) return jumpingMoves(c).goTo(*mark);
     c.session.messages().say(
         direction > 0 ? "There is no split, join, seed, alert or bookmark after this one."
                       : "There is no split, join, seed, alert or bookmark before this one.");
@@ -281,8 +281,7 @@ void goToCreation(C& c) {
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
     const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
     if (!origin) return c.session.messages().say("The decision that made this is not known yet.");
-    pause(c);
-    c.session.moves().goTo(*origin);
+    jumpingMoves(c).goTo(*origin);
 }
 
 void scaleBy(C& c, int direction) {
@@ -301,8 +300,7 @@ void toBookmark(C& c, std::size_t place) {
     if (place >= c.ui.bookmarks.size()) {
         return c.session.messages().say("There is no bookmark " + std::to_string(place + 1) + ".");
     }
-    pause(c);
-    c.session.moves().goTo(c.ui.bookmarks[place].address);
+    jumpingMoves(c).goTo(c.ui.bookmarks[place].address);
 }
 
 void toggleCompare(CommandContext& c) {
@@ -420,10 +418,26 @@ void frameStep(CommandContext& context, bool all, const std::optional<Vec3>& dir
     actions::frameAll(context);
 }
 
+Moves& jumpingMoves(CommandContext& context) {
+    context.playback.pause();
+    context.ui.frame = FrameRequest::Unseen;
+    return context.session.moves();
+}
+
+FrameRequest resolved(const CommandContext& context, FrameRequest request) {
+    if (request != FrameRequest::Unseen) return request;
+    const Session& session = context.session;
+    const Index pivot = session.ready() ? session.picture().pivot : kNone;
+    const bool seen = pivot == kNone ||
+                      isInView(session.shown().place[pivot], context.ui.viewPart(), context.camera);
+    return seen ? FrameRequest::None : FrameRequest::Decision;
+}
+
 void frameRequested(CommandContext& context, FrameRequest request) {
     const Session& session = context.session;
     switch (request) {
         case FrameRequest::None:
+        case FrameRequest::Unseen:
             break;
         case FrameRequest::Home:
             return actions::home(context);

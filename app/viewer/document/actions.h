@@ -132,7 +132,12 @@ void frameDecision(CommandContext& context, std::optional<glm::vec3> from = {});
 /// Frames a step of a lesson: everything, or the decision at the cursor where there is one; from
 /// that direction, if it has one.
 void frameStep(CommandContext& context, bool all, const std::optional<Vec3>& direction);
-/// Frames what a command, a panel or an opening has requested.
+/// Moves of a jump, which ends a play: the decision is framed where they end, if its pivot is
+/// outside of the view there.
+Moves& jumpingMoves(CommandContext& context);
+/// The request for what is framed: none instead of `Unseen` where the pivot is in the view.
+FrameRequest resolved(const CommandContext& context, FrameRequest request);
+/// Frames what a command, a panel or an opening has requested, as resolved().
 void frameRequested(CommandContext& context, FrameRequest request);
 /// A smooth move to the view of the decision at the cursor. No effect without a pivot.
 void moveToDecision(CommandContext& context, CameraMove::Kind kind);

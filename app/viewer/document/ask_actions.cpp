@@ -136,15 +136,13 @@ void toLedgerLine(CommandContext& c, int direction) {
         return c.session.messages().say(direction > 0 ? "Nothing more happens to " + name + "."
                                                       : "Nothing happened to " + name + " before.");
     }
-    pause(c);
-    c.session.moves().goTo(ledger->lines[*line].event.address);
+    jumpingMoves(c).goTo(ledger->lines[*line].event.address);
 }
 
 void toCause(CommandContext& c) {
     const Ledger* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
-    pause(c);
-    c.session.moves().goTo(ledger->lines[ledger->cause].event.address);
+    jumpingMoves(c).goTo(ledger->lines[ledger->cause].event.address);
 }
 
 void openQuery(CommandContext& c) {
@@ -169,8 +167,7 @@ void toHit(CommandContext& c, int direction) {
                                         : direction > 0      ? "No later decision matches."
                                                              : "No earlier decision matches.");
     }
-    pause(c);
-    c.session.moves().goTo(found->lines[*hit].event.address);
+    jumpingMoves(c).goTo(found->lines[*hit].event.address);
     // After the end of the list, a step back skips decisions that are not in it.
     if (cut && place.before == found->lines.size())
         c.session.messages().say(behindTheList(*found, c.session));
@@ -319,9 +316,8 @@ bool heldByBreakpoint(CommandContext& context, int count) {
 namespace actions {
 
 void continueBy(CommandContext& c, int direction) {
-    c.playback.pause();
     c.session.hits().want(c.ui.breakpoints);
-    c.session.moves().continueRun(direction);
+    jumpingMoves(c).continueRun(direction);
 }
 
 void toggleBreakpointHere(CommandContext& c) {

@@ -128,7 +128,8 @@ enum class FrameRequest : std::uint8_t {
     Home,   ///< All of the input, broadside.
     Focus,  ///< The selection, or the decision.
     Decision,
-    Fault,  ///< The chosen place with faults, or alert.
+    Unseen,  ///< The decision, if its pivot is outside of the view.
+    Fault,   ///< The chosen place with faults, or alert.
 };
 
 /// Motion of the camera with the run.

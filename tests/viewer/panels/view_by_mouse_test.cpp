@@ -177,6 +177,30 @@ TEST_CASE("Playing leads the camera to a pivot that leaves the view, not against
     CHECK(app.pose() == opened);
 }
 
+TEST_CASE("A jump frames a decision whose pivot is outside of the view, others leave the camera") {
+    DrivenApp app({"scene:torus", "--goto", "50%"});
+    if (!app) return;
+    const auto seen = [&] {
+        const glm::vec3& pivot = app.session.model().place[app.session.picture().pivot];
+        return isInView(pivot, app.ui.viewPart(), app.app.camera());
+    };
+    const CameraPose away = app.pose();
+    const auto jumps = [&](const auto& jump) {
+        app.app.camera().setPose(away);
+        jump();
+        CHECK(seen());
+        CHECK_FALSE(app.pose() == away);
+    };
+    jumps([&] { app.goTo("137.sphere.3"); });
+    const CameraPose near = app.pose();
+    app.goTo("137.sphere.1");
+    app.press("F10");
+    CHECK(app.pose() == near);
+    jumps([&] { app.press("F9 Home F5"); });
+    app.goTo("50%");
+    jumps([&] { app.press("Alt+Left"); });
+}
+
 TEST_CASE("End shows all of the mesh where the camera was led to a decision, not by the user") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;

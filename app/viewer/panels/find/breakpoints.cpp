@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "document/actions.h"
 #include "document/ask_actions.h"
 #include "jobs/kept_pass.h"
 #include "panel_state/side_panels.h"
@@ -254,7 +255,7 @@ void drawLogRow(const PanelContext& context, const LogRow& row) {
     const float room = ImGui::GetContentRegionAvail().x;
     const bool wide = isWide(context);
     if (ImGui::Selectable("##hit", here == row.hit.place, 0, {0.0F, rowHeight(context)}))
-        context.pausedMoves().goTo(row.hit.address);
+        jumpingMoves(context.commands).goTo(row.hit.address);
     const std::string& what = row.sentence != nullptr ? *row.sentence : row.breakpoint->line;
     tooltip(what);
     ImDrawList* list = ImGui::GetWindowDrawList();

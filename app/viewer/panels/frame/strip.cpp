@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ui_state.h"
 #include "paint/shapes.h"
@@ -48,7 +49,7 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0F, 0.5F});
     const bool chosen = ImGui::Selectable(name.c_str(), here, 0, {0.0F, ImGui::GetFrameHeight()});
     ImGui::PopStyleVar();
-    if (chosen) context.pausedMoves().goTo(mark.address);
+    if (chosen) jumpingMoves(context.commands).goTo(mark.address);
     ImGui::PopFont();
     const std::string key = keyOf(context, place);
     tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));

@@ -102,7 +102,7 @@ void drawEntries(const PanelContext& context, const Selection& what) {
     if (what.kind == SelectionKind::Point) {
         if (ImGui::MenuItem("Go to its next decision")) {
             session.select(what);
-            context.pausedMoves().goToPoint(what.points[0]);
+            jumpingMoves(context.commands).goToPoint(what.points[0]);
         }
         drawWhatIfs(context, what.points[0]);
     } else if (ImGui::MenuItem("Go to where it was made")) {

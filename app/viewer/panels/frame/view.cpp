@@ -317,7 +317,10 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
         edgeArrow(cameraOf(context), session.shown().place[pivot], view.size, kInset * context.em);
     if (!arrow) return std::nullopt;
     const glm::vec2 half(kTip * context.em);
-    PivotArrow found{arrow->way, {view.min + arrow->at - half, 2.0F * half}};
+    // Above the caption, which lies on the view's lower edge.
+    const float lowest = (1.0F - context.ui().viewPart().coveredBelow) * view.size.y - half.y;
+    const glm::vec2 at(arrow->at.x, std::min(arrow->at.y, lowest));
+    PivotArrow found{arrow->way, {view.min + at - half, 2.0F * half}};
     ImGui::SetCursorScreenPos(toVec2(found.rect.min));
     if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size)))
         context.ui().frame = FrameRequest::Decision;

@@ -1,4 +1,5 @@
 // The Paper panel: the paper's pseudo-code with the current line highlighted.
+#include "document/actions.h"
 #include "rows/paper_text.h"
 
 #include "document/alert_actions.h"
@@ -64,7 +65,7 @@ void drawGallery(const PanelContext& context) {
     }
     const auto address = addressFromString(each->address);
     if (smallButton(context, "Go to " + std::string(each->address), "gallery decision") && address)
-        context.pausedMoves().goTo(*address);
+        jumpingMoves(context.commands).goTo(*address);
     separator();
 }
 
