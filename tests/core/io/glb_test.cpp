@@ -59,7 +59,9 @@ std::string squareBytes() {
     append<std::uint16_t>(bytes, {0, 1, 2, 0, 2, 3});
     return bytes;
 }
-std::string squareFile() { return glb(document(kNode, kPrimitive, kAccessors, kViews), squareBytes()); }
+std::string squareFile() {
+    return glb(document(kNode, kPrimitive, kAccessors, kViews), squareBytes());
+}
 /// The error of the square with one piece of its document replaced.
 std::string errorWith(const std::string& old, const std::string& fresh) {
     std::string json = document(kNode, kPrimitive, kAccessors, kViews);
