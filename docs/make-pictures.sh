@@ -59,7 +59,8 @@ stages() {
     stage_from hole linked-tori 120.hole.2 0.668,0.207,0.40 0.5 62 25 --neighbors 24
     stage done-alert genus-2 630.done.7 --neighbors 24 --focus
     stage fill linked-tori 600.fill.1 --focus --neighbors 24 --rule fill=on
-    stage_from reinsert long-lists 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
+    stage_from reinsert long-lists 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust \
+        --rule opposingfrom=90
 }
 
 # What belongs to a decision and not to the surface.

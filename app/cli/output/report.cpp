@@ -272,6 +272,17 @@ std::string endingSentence(const RunOutcome& outcome) {
         outcome.params.maxTrianglesPerPoint);
 }
 
+/// What a mesh without faults may have all the same: "5 pieces torn off, 84 edges of holes"; empty
+/// if it has nothing of it.
+std::string countsText(const MeshVerdict& verdict) {
+    std::vector<std::string> words;
+    for (const VerdictCount& each : verdictCounts()) {
+        const std::size_t count = each.of(verdict);
+        if (count > 0) words.push_back(counted(count, each.singular, each.plural));
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
@@ -355,8 +366,10 @@ std::string summaryText(const RunOutcome& outcome) {
     summary.line("open", openSentence(outcome.mesh()));
     if (outcome.judge) summary.line("judged", departureText(*outcome.judge));
     summary.line("defects", defectSentence(outcome.mesh()));
-    if (outcome.judge && outcome.judged.verdict.isSound())
+    if (outcome.judge && outcome.judged.verdict.isSound()) {
         summary.line("faults", "none: the mesh is sound");
+        summary.line("besides", countsText(outcome.judged.verdict));
+    }
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) summary.line("alerts", fmt::format("{}, listed by --report", alerts));
     summary.line("ended", endingSentence(outcome));

@@ -21,7 +21,7 @@ constexpr std::size_t kFewPoints = 150;
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
 bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
     if (!examined.normalsNear || !examined.hasSide(p) || !examined.hasSide(q)) return true;
-    return !normalsOppose(examined.normal()[p], examined.normal()[q]);
+    return !normalsOppose(examined.normal()[p], examined.normal()[q], kRightAngle);
 }
 
 /// The point and its list.

@@ -130,7 +130,8 @@ DisjointSets sheetsOf(const GivenNormals& given) {
     DisjointSets sheets(given.size());
     for (Index p = 0; p < given.size(); ++p) {
         for (const Index q : given.nearest[p]) {
-            if (inOneSheet(given, p, q) && !normalsOppose(given.normal[p], given.normal[q]))
+            if (inOneSheet(given, p, q) &&
+                !normalsOppose(given.normal[p], given.normal[q], kRightAngle))
                 sheets.unite(p, q);
         }
     }
@@ -163,7 +164,7 @@ void contradictions(const GivenNormals& given, Index p, std::vector<Index>& oppo
     std::vector<Vec3> agreeing;
     for (const Index q : given.nearest[p]) {
         if (!given.hasNormal(q)) continue;
-        if (!normalsOppose(given.normal[p], given.normal[q])) {
+        if (!normalsOppose(given.normal[p], given.normal[q], kRightAngle)) {
             if (isBeside(given, p, q)) agreeing.push_back(directionInPlane(given, p, q));
         } else if (inOneSheet(given, p, q)) {
             opposing.push_back(q);

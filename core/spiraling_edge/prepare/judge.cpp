@@ -289,12 +289,14 @@ Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray
     return success();
 }
 
-/// The lists of points that lie in lines, of some that are as far apart as the lines: lists of all
-/// would end at each line.
-Status thinLines(const InputFacts& facts, unsigned threads, PointSet& points) {
-    std::vector<bool> usable = pointsIn(points.position, {{}, kThinnedLines * facts.across});
+/// Lists that go across right-angled edges, where no surface ends; of points that lie in lines
+/// those of some that are as far apart as the lines, since lists of all would end at each line.
+Status findWideLists(const InputFacts& facts, unsigned threads, PointSet& points) {
+    std::vector<bool> usable(points.size(), true);
+    if (facts.across > 0.0) usable = pointsIn(points.position, {{}, kThinnedLines * facts.across});
     for (Index p = 0; p < usable.size(); ++p) usable[p] = usable[p] && !points.isAside(p);
     NeighborOptions options;
+    options.opposingCosine = kSheetsCosine;
     options.threads = threads;
     Result<NeighborLists> lists = findNeighbors(points.position, points.normal, usable, options);
     if (!lists) return lists.error();
@@ -305,10 +307,8 @@ Status thinLines(const InputFacts& facts, unsigned threads, PointSet& points) {
 /// Finds where the surface of the points ends. Their lists are not needed any more then.
 Status findOpenings(unsigned threads, const Progress& progress, MeshJudge& judge) {
     PointSet& points = judge.points;
-    if (judge.facts.across > 0.0) {
-        if (const Status thinned = thinLines(judge.facts, threads, points); !thinned)
-            return thinned.error();
-    }
+    if (const Status found = findWideLists(judge.facts, threads, points); !found)
+        return found.error();
     Result<Rim> rim =
         findRim(points.position, points.normal, points.neighbors, points.type, threads, progress);
     if (!rim) return rim.error();

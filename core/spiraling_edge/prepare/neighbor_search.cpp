@@ -169,8 +169,8 @@ class GroupSearch {
             accepted_[accepts] = {distance_[i], blocks_.id(slot_[i])};
             const bool isApart = distance_[i] > 0.0;
             apart += isApart ? 1 : 0;
-            const bool opposes =
-                !normal_.empty() && normalsOppose(normal_[slot], normal_[slot_[i]]);
+            const bool opposes = !normal_.empty() && normalsOppose(normal_[slot], normal_[slot_[i]],
+                                                                   rule_.opposingCosine);
             accepts += isApart && !opposes ? 1 : 0;
         }
         acceptedCount_ = accepts;
@@ -246,6 +246,7 @@ constexpr std::size_t kRangesPerThread = 4;
 /// The rule of lists among this many other points.
 ListRule ruleOf(const NeighborOptions& options, std::size_t others) {
     ListRule rule;
+    rule.opposingCosine = options.opposingCosine;
     if (const auto* reach = std::get_if<WithinRadius>(&options.reach)) {
         rule.all = true;
         rule.squaredReach = std::min(rule.squaredReach, reach->radius * reach->radius);

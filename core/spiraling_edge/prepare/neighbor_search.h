@@ -25,8 +25,16 @@ inline double distanceSquared(const Vec3& p, const Vec3& q) {
     return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
-/// True if the surface at p and at q faces in opposite directions: then lists leave the pair out.
-inline bool normalsOppose(const Vec3& p, const Vec3& q) { return glm::dot(p, q) <= 0.0; }
+/// Cosine of 105 degrees: normals of one surface differ by less at its edges, most of which are
+/// right angles, than those of two sheets that face away from each other.
+inline constexpr double kSheetsCosine = -0.25881904510252076;
+inline constexpr double kRightAngle = 0.0;  ///< Its cosine.
+
+/// True if the surface at p and at q faces in opposite directions, by normals that differ by the
+/// angle of that cosine or more: then lists leave the pair out.
+inline bool normalsOppose(const Vec3& p, const Vec3& q, double cosine) {
+    return glm::dot(p, q) <= cosine;
+}
 
 /// A list shorter than this does not go round its point.
 inline constexpr std::size_t kGoRound = 3;

@@ -313,6 +313,8 @@ class Preparation {
     Status thinOut() {
         NeighborOptions wide = options_.neighbors;
         wide.reach = KNearest{kNoisePatch};
+        // By all rules the same points, as for the judge: normals of noise differ by any angle.
+        wide.opposingCosine = kRightAngle;
         // The number of searches is not known: each takes a third of the remaining share.
         const auto search = [&] {
             return findNeighbors(set_.position, set_.normal, usable_, wide,
@@ -366,7 +368,7 @@ class Preparation {
     bool mayNeighbor(Index p, Index q) const { return q != p && usable_[p] && usable_[q]; }
     bool isLeftOut(Index p, Index q) const {
         return options_.neighbors.dropOpposingNormals &&
-               normalsOppose(set_.normal[p], set_.normal[q]);
+               normalsOppose(set_.normal[p], set_.normal[q], options_.neighbors.opposingCosine);
     }
 
     /// Share of the whole work up to the lists: rims and symmetric lists follow.

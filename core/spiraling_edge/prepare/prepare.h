@@ -42,7 +42,7 @@ struct WithinSpacings {
 /// Options of the computation of neighbor lists.
 struct NeighborOptions {
     std::variant<KNearest, WithinRadius, WithinSpacings> reach = KNearest{};
-    /// Leave out points whose normal opposes (dot product <= 0), before the k nearest are taken.
+    /// Leave out points whose normal opposes (normalsOppose()), before the k nearest are taken.
     /// The paper is silent; without it, sheets that come close are joined. The search for the k
     /// nearest examines only the first 8 k + 64 points, so that a flipped normal amid thousands of
     /// others gets a short list instead of a search through all points.
@@ -53,6 +53,8 @@ struct NeighborOptions {
     bool recompute = false;
     /// Makes lists symmetric (symmetricLists).
     bool symmetric = false;
+    /// Cosine of the angle from which normals oppose; a right one.
+    double opposingCosine = 0.0;
     friend bool operator==(const NeighborOptions&, const NeighborOptions&) = default;
 };
 

@@ -19,6 +19,7 @@ struct ListRule {
     std::size_t length = 0;
     /// Number of nearest points of which all are taken that do not oppose; not below `length`.
     std::size_t examined = 0;
+    double opposingCosine = 0.0;  ///< As in NeighborOptions.
     /// Squared distance of the farthest point that is listed.
     double squaredReach = std::numeric_limits<double>::max();
 };
@@ -51,7 +52,8 @@ class SingleSearch {
     void insert(const Found& candidate);
     bool full() const { return found_.size() == limits_.length; }
     bool opposes(std::size_t slot) const {
-        return !normal_.empty() && normalsOppose(normal_[slot_], normal_[slot]);
+        return !normal_.empty() &&
+               normalsOppose(normal_[slot_], normal_[slot], rule_.opposingCosine);
     }
 
     const PointBlocks& blocks_;

@@ -63,6 +63,7 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
     PrepareOptions options;
     options.neighbors = spec.neighbors;
     options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
+    options.neighbors.opposingCosine = params.opposingCosine;
     options.normals = spec.normals;
     options.scanner = spec.scanner;
     if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
@@ -74,8 +75,9 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
 }
 
 bool preparesAlike(const Params& a, const Params& b) {
-    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside &&
-           a.setStraysAside == b.setStraysAside && a.robust.rim == b.robust.rim;
+    return a.dropOpposingNormals == b.dropOpposingNormals && a.opposingCosine == b.opposingCosine &&
+           a.setNoiseAside == b.setNoiseAside && a.setStraysAside == b.setStraysAside &&
+           a.robust.rim == b.robust.rim;
 }
 
 RunSpec withRulesOf(RunSpec spec, const RunSpec& rules) {

@@ -223,6 +223,8 @@ struct Params {
     RobustThresholds thresholds;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
+    /// ... from this angle between normals on; held as its cosine. 105 degrees in `robust`.
+    double opposingCosine = 0.0;
     /// Points are left out where noise is as wide as their spacing (see noise.h). On in `robust`.
     bool setNoiseAside = false;
     /// Points far from all others are left out (see strays.h). On in `corrected` and `robust`.

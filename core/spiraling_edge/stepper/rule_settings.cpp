@@ -20,8 +20,14 @@ double cosineOfDegrees(double degrees) {
         double degrees, cosine;
     };
     constexpr std::array kKnown{
-        Known{0.0, 1.0},    Known{45.0, 0.70710678118654752},  Known{60.0, 0.5},   Known{90.0, 0.0},
-        Known{120.0, -0.5}, Known{150.0, -0.8660254037844386}, Known{180.0, -1.0},
+        Known{0.0, 1.0},
+        Known{45.0, 0.70710678118654752},
+        Known{60.0, 0.5},
+        Known{90.0, 0.0},
+        Known{105.0, -0.25881904510252076},
+        Known{120.0, -0.5},
+        Known{150.0, -0.8660254037844386},
+        Known{180.0, -1.0},
     };
     for (const Known& each : kKnown) {
         if (each.degrees == degrees) return each.cosine;
@@ -310,6 +316,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
 
     beyondPaper(number<&Params::maxTrianglesPerPoint>(
         "cap", "8", "the run stops above this many triangles per point", 2.0, 64.0, "per point")),
+    beyondPaper(angle<&Params::opposingCosine>("opposingfrom", "3",
+                                               "normals oppose from this angle on", 90.0)),
     beyondPaper(choice<&Params::setNoiseAside>(
         "noise", "3", "points are set aside where noise is as wide as their spacing")),
     beyondPaper(

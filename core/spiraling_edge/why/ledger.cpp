@@ -182,7 +182,7 @@ class CauseFinder {
                           near.end());
         const bool opposed = std::all_of(
             near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [&](const auto& each) {
-                return normalsOppose(points_.normal[p], points_.normal[each.second]);
+                return normalsOppose(points_.normal[p], points_.normal[each.second], kRightAngle);
             });
         if (count == 0 || !opposed) return {};
         return ": its normal opposes those of the " + std::to_string(count) +

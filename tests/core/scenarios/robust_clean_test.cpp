@@ -2,6 +2,7 @@
 /// a sound mesh of the ideal number of triangles, at any size.
 #include <doctest/doctest.h>
 
+#include "spiraling_edge/spec/run_spec.h"
 #include "support/boxed.h"
 #include "support/clouds.h"
 #include "support/rig.h"
@@ -248,5 +249,46 @@ TEST_CASE("robust: no triangle over three points in line stands on a curved surf
         const PointSet points = shape.sample(3700.0, 2);
         const Run run = runAll(points, robust());
         CHECK_MESSAGE(leastAngles(points, run.state.mesh()).least > 15.0, shape.name);
+    }
+}
+
+namespace {
+
+/// The middles of the cells of a grid on each face of a cube, moved about by a quarter of a cell.
+PointFile cubeOfFaces(int cells, std::uint64_t seed) {
+    Random random(seed);
+    PointFile file;
+    for (const int axis : {0, 1, 2}) {
+        for (const double side : {-1.0, 1.0}) {
+            for (int i = 0; i < cells * cells; ++i) {
+                const Vec3 moved = 0.25 * random.inCube();
+                Vec3 place(side);
+                place[(axis + 1) % 3] = 2.0 * (i % cells + 0.5 + moved.x) / cells - 1.0;
+                place[(axis + 2) % 3] = 2.0 * (i / cells + 0.5 + moved.y) / cells - 1.0;
+                Vec3 normal(0.0);
+                normal[axis] = side;
+                file.position.push_back(place);
+                file.normal.push_back(normal);
+            }
+        }
+    }
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("robust: a cube without points on its edges is one closed piece, by right angles too") {
+    const RunSpec spec = specOf(robust());
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const PointFile file = cubeOfFaces(20, seed);
+        const PrepareOptions options = prepareOptionsOf(spec, robust(), file).value();
+        const PointSet points = prepare(file, options).value().points;
+        const Run run = runAll(points, robust());
+        CAPTURE(seed);
+        CHECK(describeFaults(points, run.state.mesh()) == "");
+        CHECK(run.mesh.unusedPoints == 0);
+        CHECK(run.mesh.components == 1);
+        CHECK(run.mesh.closedManifold());
+        CHECK(run.mesh.eulerCharacteristic == 2);
     }
 }

@@ -116,8 +116,9 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
 }
 
 TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put into") {
-    const auto place =
-        RunAt::at<ReinsertEvidence>(spec("scene:long-lists", "robust", 16), Stage::Reinsert);
+    RunSpec input = spec("scene:long-lists", "robust", 16);
+    input.choices.push_back({"opposingfrom", 90.0});
+    const auto place = RunAt::at<ReinsertEvidence>(input, Stage::Reinsert);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<ReinsertEvidence>().point;
     const DecisionState& picture = place->session.picture();
