@@ -193,7 +193,10 @@ void addLabels(const LayerInput& in, DrawList& out) {
         const bool asked =
             point == in.hovered || point == in.selected ||
             std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
-        out.labels.push_back({in.at(point), name, color, strong, strong, 0.0F, asked});
+        const bool given =
+            std::any_of(in.names.begin(), in.names.end(),
+                        [point](const PointName& each) { return each.point == point; });
+        out.labels.push_back({in.at(point), name, color, strong, strong, 0.0F, asked, given});
     };
     add(p.pivot, c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;

@@ -22,8 +22,9 @@ namespace {
 /// Maximum distance of a plate from its point, in em.
 constexpr std::array kFar = {0.45F, 0.8F, 1.2F, 1.7F, 2.4F, 3.2F, 4.2F, 5.4F, 7.0F, 9.0F, 12.0F};
 /// Number of these distances for labels of each rank.
-constexpr std::array kReach = {kFar.size(), std::size_t{8}, std::size_t{4}, kFar.size()};
-static_assert(kReach.size() == static_cast<std::size_t>(LabelRank::Asked) + 1);
+constexpr std::array kReach = {kFar.size(), std::size_t{8}, std::size_t{4}, kFar.size(),
+                               kFar.size()};
+static_assert(kReach.size() == static_cast<std::size_t>(LabelRank::Given) + 1);
 /// Distance from which a line leads to the point, in em.
 constexpr float kLeaderFrom = 0.95F;
 /// Costs of one em of distance, of covering a cell full of lines, and of pointing to the pivot.
@@ -144,15 +145,18 @@ bool overlap(const Rect& rect, const LabelMark& mark) {
 std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelRequest> labels) {
     Placer placer(room);
     std::vector<PlacedLabel> placed;
-    for (const LabelRank rank :
-         {LabelRank::Essential, LabelRank::Strong, LabelRank::Minor, LabelRank::Asked}) {
+    std::size_t counted = 0;
+    for (const LabelRank rank : {LabelRank::Essential, LabelRank::Given, LabelRank::Strong,
+                                 LabelRank::Minor, LabelRank::Asked}) {
+        const bool counts = rank != LabelRank::Given && rank != LabelRank::Asked;
         for (std::size_t i = 0; i < labels.size(); ++i) {
             if (labels[i].rank != rank) continue;
-            if (rank != LabelRank::Asked && placed.size() == kMaxLabels) break;
+            if (counts && counted == kMaxLabels) break;
             std::optional<PlacedLabel> found = placer.place(labels[i]);
             if (!found) continue;
             found->index = i;
             placed.push_back(*found);
+            if (counts) ++counted;
         }
     }
     return placed;

@@ -54,9 +54,10 @@ enum class LabelRank : std::uint8_t {
     Strong,     ///< Values of the stage at the cursor.
     Minor,      ///< The rest: left out if there is no room nearby.
     Asked,      ///< What the user points at or chooses from, beside the number of the others.
+    Given,      ///< Other names of a lesson or a figure: before values, beside their number.
 };
 
-/// Maximum number of labels in a view, without those that the user asks for.
+/// Maximum number of labels in a view, without those that are given or asked for.
 inline constexpr std::size_t kMaxLabels = 7;
 
 struct LabelRequest {
@@ -87,8 +88,9 @@ struct PlacedLabel {
     bool leader = false;
 };
 
-/// By rank, and within a rank in the order given, up to kMaxLabels and those asked for. A label
-/// whose point is outside of the area, or for which there is no room, is not in the result.
+/// By rank, and within a rank in the order given, up to kMaxLabels and those that are given or
+/// asked for. A label whose point is outside of the area, or for which there is no room, is not in
+/// the result.
 std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelRequest> labels);
 
 /// True if `rect` lies within the area, up to `slack`.

@@ -91,6 +91,7 @@ struct Label {
     /// 0: it always has.
     float extent = 0.0F;
     bool asked = false;  ///< Of a point that the user points at or chooses from: always shown.
+    bool given = false;  ///< A name that a lesson or a figure gives: always shown.
 };
 
 /// Styles of the points of the input, chosen per point by one byte.

@@ -175,6 +175,9 @@ TEST_CASE("A point of a decision is labeled with its name alone, in a figure tha
         REQUIRE(labels.size() >= wanted.size());
         labels.resize(wanted.size());
         CHECK(labels == wanted);
+        // Those of a figure are always shown.
+        for (const Label& label : list.labels)
+            CHECK(label.given == (!label.text.empty() && std::isdigit(label.text.front()) == 0));
     }
 }
 

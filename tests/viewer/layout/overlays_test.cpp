@@ -86,6 +86,21 @@ TEST_CASE("A view has seven labels, the essential ones first, and those that are
     CHECK(count(LabelRank::Asked) == 1);
 }
 
+TEST_CASE("Names that are given are beside the number of the others, in any number") {
+    std::vector<LabelRequest> labels = crowd(3, 12);
+    for (int i = 0; i < 8; ++i)
+        labels.push_back({kView.min + glm::vec2(40.0F + 70.0F * static_cast<float>(i), 60.0F),
+                          {20.0F, 20.0F},
+                          LabelRank::Given});
+    const LabelRoom room{kView, {}, {}, nullptr, kView.min + 0.5F * kView.size, kEm};
+    const std::vector<PlacedLabel> placed = placeLabels(room, labels);
+    REQUIRE(placed.size() == kMaxLabels + 8);
+    // Right after those of the decision.
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        CHECK(labels[placed[i].index].rank ==
+              (i < kMaxLabels ? LabelRank::Essential : LabelRank::Given));
+}
+
 TEST_CASE("Minor labels are left out first, essential ones last") {
     int dropped[3] = {0, 0, 0};
     for (unsigned seed = 1; seed <= 40; ++seed) {

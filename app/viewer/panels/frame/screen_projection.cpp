@@ -124,10 +124,11 @@ Type typeOf(const PanelContext& context, const Label& label) {
 
 /// `hovered`: the place of the point under the pointer, whose labels are all shown.
 LabelRank rankOf(const Label& label, const glm::vec3* hovered) {
-    return label.asked || (hovered != nullptr && label.position == *hovered) ? LabelRank::Asked
-           : label.essential                                                 ? LabelRank::Essential
-           : label.strong                                                    ? LabelRank::Strong
-                                                                             : LabelRank::Minor;
+    if (label.asked || (hovered != nullptr && label.position == *hovered)) return LabelRank::Asked;
+    return label.essential ? LabelRank::Essential
+           : label.given   ? LabelRank::Given
+           : label.strong  ? LabelRank::Strong
+                           : LabelRank::Minor;
 }
 
 }  // namespace
