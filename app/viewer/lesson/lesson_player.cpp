@@ -120,13 +120,15 @@ bool LessonPlayer::poll() {
     return changed;
 }
 
-/// Points that can be an answer: the neighbors of the pivot; of a pivot to play, those beside it on
-/// the ring as well.
+/// Points that can be an answer: the neighbors of the pivot, after the sort without those that are
+/// DONE, which it has left out; of a pivot to play, those beside it on the ring as well.
 std::vector<Index> LessonPlayer::possiblePoints() const {
     const DecisionState& picture = c_.session.picture();
     if (picture.pivot == kNone) return {};
     const auto& neighbors = c_.session.shown().points.neighbors[picture.pivot];
     std::vector<Index> points(neighbors.begin(), neighbors.end());
+    if (picture.event && picture.event->address.stage > Stage::Sort)
+        std::erase_if(points, [&](Index point) { return picture.status[point] == kDone; });
     if (c_.ui.lesson.walk.question()->kind != "play" || picture.rings.empty()) return points;
     const std::vector<Index>& ring = picture.rings.front().points;
     for (std::size_t i = 0; i < ring.size(); ++i) {

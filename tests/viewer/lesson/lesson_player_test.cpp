@@ -124,6 +124,16 @@ TEST_CASE("While a question for points is open the neighbors of the pivot have l
     CHECK(app.session.highlights().labeled().empty());
 }
 
+TEST_CASE("Points that the sort has left out as DONE are no possible answer") {
+    LessonApp app;
+    app.open("lesson:removal");
+    app.goTo(1);
+    REQUIRE(app.walk().takesPoints());
+    const std::span<const Index> possible = app.session.highlights().labeled();
+    CHECK(possible.size() >= 4);
+    for (const Index point : possible) CHECK(app.session.picture().status[point] != kDone);
+}
+
 TEST_CASE("Hands of a room are counted for one question only") {
     LessonApp app;
     app.open("lesson:spiral");
