@@ -78,6 +78,16 @@ TEST_CASE("The decisions of a stage fill their strip from end to end") {
     CHECK(app.address() == "137.emit.1");
 }
 
+TEST_CASE("All stages of a pivot are named where there is room for their names") {
+    for (const char* place : {"71.sphere.2", "262.sphere.2"}) {
+        CAPTURE(place);
+        DrivenApp app({"scene:torus", "--goto", place});
+        if (!app) return;
+        for (const char* stage : {"pivot", "sort", "limits", "sphere", "emit", "ring", "advance"})
+            CHECK(app.shows(std::string("stage name ") + stage));
+    }
+}
+
 TEST_CASE("On a phone the menu has address, layers, legend and bookmarks, and the sentence stays") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"}, {390, 844});
     if (!app) return;

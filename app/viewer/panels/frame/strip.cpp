@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -131,23 +132,31 @@ void offerEvent(const PanelContext& context, const char* id, const Rect& area, s
 
 // ---- PIVOT: one block per stage ---------------------------------------------------------------
 
-/// A stage is as wide as its tests, but at least as wide as its name.
+/// A stage is as wide as its tests, but at least as wide as its name, which keeps its room as long
+/// as there is enough for all names.
 std::vector<float> widthsOf(const PanelContext& context, const std::vector<StageRun>& runs,
                             float total, float gap) {
+    std::vector<float> names;
     std::vector<float> widths;
-    float sum = 0.0F;
     for (const StageRun& run : runs) {
         const float text =
             ScreenPainter(context)
                 .textSize(std::string(stageName(run.stage)), {kStageName * context.em})
                 .x;
         const float cells = static_cast<float>(run.size()) * 1.15F * context.em;
-        widths.push_back(std::max(text + 0.2F * gap, std::min(cells, 0.5F * total)));
-        sum += widths.back();
+        names.push_back(text + 0.2F * gap);
+        widths.push_back(std::max(names.back(), std::min(cells, 0.5F * total)));
     }
+    const auto sum = [](const std::vector<float>& all) {
+        return std::accumulate(all.begin(), all.end(), 0.0F);
+    };
     const float room = total - gap * static_cast<float>(runs.size());
-    const float factor = std::min(1.0F, room / std::max(1.0F, sum));
-    for (float& width : widths) width *= factor;
+    const float least = std::max(1.0F, sum(names));
+    const float share =
+        std::clamp((room - least) / std::max(1.0F, sum(widths) - least), 0.0F, 1.0F);
+    const float factor = std::min(1.0F, room / least);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        widths[i] = factor * (names[i] + share * (widths[i] - names[i]));
     return widths;
 }
 
@@ -194,9 +203,12 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     const std::string name(stageName(run.stage));
     // Of the stage at the cursor as much as fits; of the others the whole name or none.
     ImGui::PushClipRect({block.min.x, textTop}, {block.max().x + 0.3F * em, block.max().y}, true);
-    if (here || painter.textSize(name, type).x <= block.size.x + 0.3F * em)
+    const glm::vec2 extent = painter.textSize(name, type);
+    if (here || extent.x <= block.size.x + 0.3F * em) {
         painter.text({block.min.x, textTop}, name,
                      painter.ink(here ? &Palette::text : &Palette::textDim), type);
+        context.where()["stage name " + name] = {{block.min.x, textTop}, extent};
+    }
     ImGui::PopClipRect();
     drawTicks(context, run, block);
     if (here) frameHere(context, block);
