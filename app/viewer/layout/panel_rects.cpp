@@ -54,7 +54,7 @@ constexpr float kMaxNarration = 0.5F;
 constexpr float kLessonShare = 0.34F;
 constexpr float kQuestionShare = 0.5F;
 constexpr float kAddressLine = 1.4F;
-constexpr float kPresentLanes = 3.0F;
+constexpr float kPresentLanes = 3.5F;
 /// Audiences read the caption first.
 constexpr float kLargeCaption = 1.5F;
 

@@ -88,6 +88,15 @@ TEST_CASE("All stages of a pivot are named where there is room for their names")
     }
 }
 
+TEST_CASE("Lanes have the names of their rings, in Present too") {
+    for (const char* layout : {"debug", "present"}) {
+        CAPTURE(layout);
+        DrivenApp app({"scene:torus", "--goto", "137.sphere.3", "--layout", layout});
+        if (!app) return;
+        for (const char* ring : {"a", "b", "c", "f"}) CHECK(app.shows(std::string("lane ") + ring));
+    }
+}
+
 TEST_CASE("On a phone the menu has address, layers, legend and bookmarks, and the sentence stays") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"}, {390, 844});
     if (!app) return;

@@ -23,8 +23,11 @@ namespace se::view {
 namespace {
 
 /// Least and greatest height of a lane, in em; higher ones would look like a bar chart.
-constexpr float kLeastLane = 0.5F;
+constexpr float kLeastLane = 0.4F;
 constexpr float kHighestLane = 0.95F;
+/// Size of the name of a ring, in em: the least that can be read, and the greatest.
+constexpr float kLeastRingName = 0.6F;
+constexpr float kLargestRingName = 0.75F;
 /// Height of the row that the remaining lanes share.
 constexpr float kGathered = 1.0F;
 
@@ -122,17 +125,21 @@ void drawSign(RunStrip& strip, const LaneSign& sign) {
     }
 }
 
-/// The letter of a ring where its lane begins, above the line; omitted in low rows.
+/// The letter of a ring where its lane begins, as high as its row; omitted in lower rows.
 void drawName(RunStrip& strip, const LaneSign& sign) {
-    const Type type{0.75F * strip.context.em};
-    if (!sign.alone || !beginsLane(sign.kind) || strip.pitch < 0.8F * type.size) return;
+    const float em = strip.context.em;
+    const Type type{std::min(kLargestRingName * em, strip.pitch / 0.8F)};
+    if (!sign.alone || !beginsLane(sign.kind) || type.size < kLeastRingName * em) return;
     const std::string name = ringName(sign.ring);
     const glm::vec2 extent = strip.p.textSize(name, type);
-    const glm::vec2 at(strip.bars.min.x + sign.x + 0.7F * strip.context.em,
-                       strip.yOf(sign.row) - 0.5F * extent.y);
-    const glm::vec2 beside(0.15F * type.size, 0.0F);
-    strip.p.box(at - beside, at + extent + beside, strip.p.ink(&Palette::background));
-    strip.p.text(at, name, strip.p.ink(&Palette::text), type);
+    const glm::vec2 middle(strip.bars.min.x + sign.x + 0.7F * em + 0.5F * extent.x,
+                           strip.yOf(sign.row));
+    // The lanes beside it stay whole.
+    const glm::vec2 half(0.5F * extent.x + 0.15F * type.size,
+                         0.5F * std::min(extent.y, 0.9F * strip.pitch));
+    strip.p.box(middle - half, middle + half, strip.p.ink(&Palette::background));
+    strip.p.text(middle - 0.5F * extent, name, strip.p.ink(&Palette::text), type);
+    strip.context.where()["lane " + name] = {middle - half, 2.0F * half};
 }
 
 /// Rows for the lanes: if there are too many, the last one is shared.
