@@ -97,6 +97,22 @@ TEST_CASE("Lanes have the names of their rings, in Present too") {
     }
 }
 
+TEST_CASE("The sentence with all digits stands above the caption that it repeats") {
+    for (const char* layout : {"debug", "present"}) {
+        CAPTURE(layout);
+        DrivenApp app({"scene:torus", "--goto", "137.sphere.3", "--layout", layout});
+        if (!app) return;
+        const bool over = app.shows("caption");
+        const Rect caption = over ? app.ui.where.at("caption") : app.app.areas().narration;
+        app.moveTo(caption.min + 0.5F * caption.size);
+        const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+        REQUIRE(tip != nullptr);
+        REQUIRE(tip->Active);
+        CHECK(tip->Pos.y + tip->Size.y <= caption.min.y);
+        CHECK(tip->Pos.y > 0.0F);
+    }
+}
+
 TEST_CASE("On a phone the menu has address, layers, legend and bookmarks, and the sentence stays") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"}, {390, 844});
     if (!app) return;

@@ -254,7 +254,7 @@ void drawNarration(const PanelContext& context) {
         }
         ImGui::PopFont();
         if ((caption.cut || said.text != said.whole) && ImGui::IsWindowHovered())
-            showTooltip(said.whole);
+            showTooltipAbove(area, said.whole);
     }
     ImGui::End();
 }
@@ -307,7 +307,7 @@ std::optional<Rect> drawCaption(const PanelContext& context) {
     context.where()[context.beside ? "other caption" : "caption"] = plate;
     if ((caption.cut || said.text != said.whole) && ImGui::IsWindowHovered() &&
         ImGui::IsMouseHoveringRect(toVec2(plate.min), toVec2(plate.max())))
-        showTooltip(said.whole);
+        showTooltipAbove(plate, said.whole);
     return plate;
 }
 

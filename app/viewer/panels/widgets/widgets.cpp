@@ -324,6 +324,12 @@ void showTooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
+void showTooltipAbove(const Rect& rect, const std::string& text) {
+    const float gap = 0.3F * ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({rect.min.x, rect.min.y - gap}, ImGuiCond_Always, {0.0F, 1.0F});
+    showTooltip(text);
+}
+
 void define(std::string_view word) {
     if (const std::string text = definitionOf(word); !text.empty()) tooltip(text);
 }

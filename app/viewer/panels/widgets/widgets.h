@@ -151,6 +151,8 @@ void dimText(const std::string& text, float width = 0.0F);
 /// Tooltip of the item drawn last.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
+/// A tooltip above `rect`, which it leaves visible.
+void showTooltipAbove(const Rect& rect, const std::string& text);
 /// Tooltip of the item drawn last with the definition of a word of the paper, if it is one.
 void define(std::string_view word);
 /// A triangle before what can be folded: it points down if that is open, otherwise to the right.
