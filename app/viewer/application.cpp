@@ -596,8 +596,8 @@ const Command* Application::commandFor(const KeyChord& chord) const {
     if (usual != nullptr && isOfLesson(*usual)) return usual;
     const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.growth.open;
     const Command* first = present ? presenterCommandFor(chord) : nullptr;
-    // Where a question is open, the start of what is shown is its position.
-    if (first != nullptr && first == findCommand("run.start") && ui_.lesson.hides())
+    // In a lesson the start of what is shown is the position of its step.
+    if (first != nullptr && first == findCommand("run.start") && ui_.lesson.walk.isOpen())
         return findCommand("lesson.return");
     return first != nullptr ? first : usual;
 }

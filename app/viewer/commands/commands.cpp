@@ -141,7 +141,7 @@ const auto kCommands = std::to_array<Command>({
     {"run.end", "Run", "Run to the end", "End", "Run to the end in the background.",
      [](C& c) { pause(c), c.session.moves().toEnd(); }, "finish complete whole mesh result"},
     {"run.start", "Run", "Back to the start", "Home",
-     "Go to the start of the run; in Present also F5.",
+     "Go to the start of the run; in Present also F5, if no lesson is open.",
      [](C& c) { pause(c), c.session.moves().toStart(); }, "begin rewind reset first", !kRepeats,
      "F5"},
 
@@ -177,7 +177,7 @@ const auto kCommands = std::to_array<Command>({
      "Show the step of the lesson before.", [](C& c) { c.lesson.previous(); },
      "teach course slide back", kRepeats},
     {"lesson.return", "Step", "Back to the step of the lesson", "",
-     "Return to position, rules and view of the step.",
+     "Return to position, rules and view of the step; in Present also F5.",
      [](C& c) { c.lesson.returnToStep(); }, "teach course"},
     {"lesson.close", "Step", "Close the lesson", "", "Close the lesson; the run stays open.",
      [](C& c) { c.lesson.close(); }, "teach course end leave"},

@@ -119,6 +119,11 @@ TEST_CASE("In Present an open question has the keys of its answers, and F5 retur
     CHECK(app["given"] == "B");
     app.press("Enter");
     CHECK(app["answered_right"] == "true");
+    // Also once it is answered, whose decisions are shown from there.
+    app.press("Home");
+    CHECK(app.session.atStart());
+    app.press("F5");
+    CHECK_FALSE(app.session.atStart());
     app.press("B");
     CHECK(app["blank"] == "true");
 }
