@@ -457,11 +457,11 @@ WindowState Application::windowState() const {
     state.sheet = ui_.column.sheet;
     state.finished = session_.ready() && session_.atEnd();
     state.lesson = ui_.lesson.walk.isOpen();
-    const bool asks = state.lesson && ui_.lesson.walk.question() != nullptr;
-    state.captionEms = asks ? ui_.lesson.captionEms : 0.0F;
+    state.captionEms = ui_.lesson.captionEms;
     state.beside = ui_.compare.isIn(LayoutPreset::Present);
     // The lesson is needed for the answer.
-    if (ui_.lesson.hides()) state.sizes.folded = false;
+    state.asks = ui_.lesson.hides();
+    if (state.asks) state.sizes.folded = false;
     return state;
 }
 

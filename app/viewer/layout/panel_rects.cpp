@@ -167,14 +167,18 @@ void layOutColumn(PanelRects& l, Cutter& cut, const WindowState& state, float em
 }
 
 /// One column: view, sentence, large buttons, tasks; the sheet, above the buttons, takes half of
-/// it.
+/// it. With a question, the sheet reaches to the lower edge.
 void layOutPhone(PanelRects& l, Cutter& cut, const WindowState& state) {
     l.phone = true;
     l.stripFolded = true;
     l.rail = cut.bottom(cut.px(kPhoneRail));
     l.strip = l.transport = cut.bottom(cut.px(kPhoneButtons));
     const float caption = cut.px(kPhoneCaption);
-    if (state.sheet) l.column = cut.bottom(std::round(kSheet * (cut.rest().size.y - caption)));
+    if (state.sheet || state.asks)
+        l.column = cut.bottom(std::round(kSheet * (cut.rest().size.y - caption)));
+    if (!state.asks) return;
+    l.column.size.y += l.strip.size.y + l.rail.size.y;
+    l.rail = l.strip = l.transport = {};
     l.narration = cut.bottom(caption);
 }
 

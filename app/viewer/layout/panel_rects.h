@@ -70,6 +70,7 @@ struct WindowState {
     StripChoice strip = StripChoice::Auto;
     PanelSizes sizes;
     bool sheet = false;     ///< In a phone's shape: the sheet is pulled up.
+    bool asks = false;      ///< In a phone's shape: a question needs the room of rail and strip.
     bool finished = false;  ///< The finished mesh is shown: no pivot has decisions.
     bool lesson = false;    ///< In Present: the text of a lesson is the caption, without the strip.
     float captionEms = 0.0F;  ///< Height of the caption in em, within limits; 0: the usual one.

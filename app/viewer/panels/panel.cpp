@@ -48,6 +48,7 @@ void drawAround(const PanelContext& context) {
         drawRail(context);
         return drawStrip(context);
     }
+    if (context.rects.phone) return;
     beginRegion("##rail", context.rects.rail);
     ImGui::End();
     if (beginRegion("##strip", context.rects.strip)) dimText(kHiddenNote);
@@ -83,8 +84,8 @@ void drawBorders(const PanelContext& context) {
     for (const Rect& each : {l.strip, l.narration})
         if (each.size.y > 0.0F) horizontal(each.min.y, each.min.x, each.max().x);
     if (l.phone) {
-        horizontal(l.rail.min.y, 0.0F, width);
-        if (l.column.size.y > 0.0F) horizontal(l.column.min.y, 0.0F, width);
+        for (const Rect& each : {l.rail, l.column})
+            if (each.size.y > 0.0F) horizontal(each.min.y, 0.0F, width);
     } else {
         for (const Rect& each : {l.column, l.rail})
             if (each.size.x > 0.0F) vertical(each.min.x, each.min.y, each.max().y);

@@ -191,6 +191,12 @@ TEST_CASE("A phone's shape has its parts below each other, and half of it is the
     CHECK(up.rail.min == down.rail.min);
     // Buttons that a finger hits.
     CHECK(up.strip.size.y >= 44.0F);
+    // A question has the room of what it hides, and the view keeps its own.
+    state.asks = true;
+    const PanelRects asks = computePanelRects({390, 844}, 16, state);
+    CHECK(asks.view.size == up.view.size);
+    CHECK(asks.column.max().y == 844.0F);
+    CHECK(areaOf(asks.strip) + areaOf(asks.rail) + areaOf(asks.transport) == 0.0F);
     // A small window is wider than high.
     CHECK_FALSE(computePanelRects({1280, 800}, 32).phone);
     CHECK_FALSE(computePanelRects({640, 400}, 16).phone);

@@ -128,6 +128,24 @@ TEST_CASE("In Present an open question has the keys of its answers, and F5 retur
     CHECK(app["blank"] == "true");
 }
 
+TEST_CASE("On a phone every question shows its answer field or first option above the way on") {
+    for (const char* lesson : {"removal", "neighbor-ring", "one-pivot"}) {
+        DrivenApp app({std::string("lesson:") + lesson, "--step", "1"}, {390, 844});
+        if (!app) return;
+        const LessonWalk& walk = app.ui.lesson.walk;
+        for (std::size_t step = 1; step < walk.lesson().steps.size(); ++step) {
+            app.press("PageDown");
+            if (!walk.asks()) continue;
+            CAPTURE(lesson);
+            CAPTURE(walk.step() + 1);
+            const Rect next = app.ui.where.at("lesson next");
+            const bool typed = app.shows("lesson answer field");
+            CHECK(app.ui.where.at(typed ? "lesson answer field" : "option A").max().y < next.min.y);
+            CHECK(next.max().y <= 844.0F);
+        }
+    }
+}
+
 TEST_CASE(
     "An arrow leads to a pivot outside of the view, in every layout, and stays while stepping") {
     DrivenApp app({"scene:sphere", "--goto", "40.sphere.1", "--layout", "present"});

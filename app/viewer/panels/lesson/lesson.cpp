@@ -270,24 +270,33 @@ void drawText(const PanelContext& context, const LessonWalk& walk) {
     followLink(context, drawTextBlocks(context, teach::textBlocks(walk.shownStep().text)));
 }
 
+/// The run is not at the step.
+bool isAway(const PanelContext& context) {
+    return context.state<LessonPanel>().away && !context.playback().playing();
+}
+
+bool hasPlay(const LessonWalk& walk) {
+    return walk.question() == nullptr && !walk.shownStep().until.empty();
+}
+
+/// Rows of drawFoot().
+float footRows(const PanelContext& context, const LessonWalk& walk) {
+    return isAway(context) || hasPlay(walk) ? 2.0F : 1.0F;
+}
+
 /// The way on, at the lower end of the panel.
 void drawFoot(const PanelContext& context, const LessonWalk& walk) {
-    const LessonPanel& panel = context.state<LessonPanel>();
     LessonPlayer& lesson = context.commands.lesson;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
-    const bool plays = context.playback().playing();
-    const bool hasPlay = walk.question() == nullptr && !walk.shownStep().until.empty();
-    if (panel.away && !plays) {
+    if (isAway(context)) {
         if (textButton(context, "Back to the step", "lesson return",
                        "Position, rules and view of this step", -1.0F))
             lesson.returnToStep();
-    } else if (hasPlay) {
+    } else if (hasPlay(walk)) {
         if (textButton(context, "Play", "lesson play", "Play to " + walk.setting().answerPlace,
                        -1.0F))
             lesson.play();
-    } else {
-        ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
     }
     const bool last = walk.step() + 1 == walk.lesson().steps.size();
     ImGui::BeginDisabled(walk.step() == 0);
@@ -585,7 +594,7 @@ void drawLesson(const PanelContext& context) {
     if (!walk.isOpen()) return drawLessons(context);
     drawComplaint(context);
     drawHead(context, walk);
-    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
+    const float foot = footRows(context, walk) * ImGui::GetFrameHeightWithSpacing();
     ImGui::PushID(static_cast<int>(walk.step()));
     if (ImGui::BeginChild("##text", {0.0F, std::max(4.0F * context.em,
                                                     ImGui::GetContentRegionAvail().y - foot)})) {
