@@ -50,9 +50,8 @@ constexpr float kNarrationNarrow = 4.7F;
 constexpr float kWideView = 40.0F;
 /// In a low window the view comes first: a large caption gets this share of the height at most.
 constexpr float kMaxNarration = 0.5F;
-/// Share of the height that the text of a lesson has, and the most, where a question needs more.
+/// Share of the height that the text of a lesson has until it is measured.
 constexpr float kLessonShare = 0.34F;
-constexpr float kQuestionShare = 0.5F;
 constexpr float kAddressLine = 1.4F;
 constexpr float kPresentLanes = 3.5F;
 /// Audiences read the caption first.
@@ -176,10 +175,10 @@ void layOutPhone(PanelRects& l, Cutter& cut, const WindowState& state) {
     const float caption = cut.px(kPhoneCaption);
     if (state.sheet || state.asks)
         l.column = cut.bottom(std::round(kSheet * (cut.rest().size.y - caption)));
+    l.narration = cut.bottom(caption);
     if (!state.asks) return;
     l.column.size.y += l.strip.size.y + l.rail.size.y;
     l.rail = l.strip = l.transport = {};
-    l.narration = cut.bottom(caption);
 }
 
 /// View, caption and lanes; with a lesson, its text is the caption.
@@ -190,8 +189,8 @@ void layOutPresent(PanelRects& l, Cutter& cut, const WindowState& state, glm::ve
     l.strip = l.runStrip = cut.bottom(state.lesson ? 0.0F : cut.px(kPresentLanes));
     if (state.lesson) {
         const float text =
-            std::clamp(cut.px(state.captionEms), kLessonShare * size.y, kQuestionShare * size.y);
-        l.narration = cut.bottom(std::round(text));
+            state.captionEms > 0.0F ? cut.px(state.captionEms) : kLessonShare * size.y;
+        l.narration = cut.bottom(std::round(std::min(text, kLargestLessonShare * size.y)));
         return;
     }
     const bool wide = size.x >= cut.px(kWideView);

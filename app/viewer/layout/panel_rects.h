@@ -73,7 +73,7 @@ struct WindowState {
     bool asks = false;      ///< In a phone's shape: a question needs the room of rail and strip.
     bool finished = false;  ///< The finished mesh is shown: no pivot has decisions.
     bool lesson = false;    ///< In Present: the text of a lesson is the caption, without the strip.
-    float captionEms = 0.0F;  ///< Height of the caption in em, within limits; 0: the usual one.
+    float captionEms = 0.0F;  ///< Height of that text in em, up to a limit; 0: not known yet.
     bool beside = false;      ///< In Present: a second view beside the first.
 };
 
@@ -83,6 +83,8 @@ PanelRects computePageRects(glm::vec2 size, float em);
 
 /// Least height of what a finger taps, in em: 44 pixels of a phone.
 inline constexpr float kFinger = 2.75F;
+/// Largest share of the height that the text of a lesson has in Present.
+inline constexpr float kLargestLessonShare = 0.4F;
 /// Height of the title above each of two views, in em.
 inline constexpr float kViewTitle = 1.7F;
 /// Width of the line between two views of a picture, in em.

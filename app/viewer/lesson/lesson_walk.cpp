@@ -145,7 +145,7 @@ std::string LessonWalk::tryText() const {
     if (!state().complaint.empty()) return "! " + state().complaint;
     const auto& grade = state().grade;
     if (!grade || grade->right) return {};
-    if (question()->kind != "play") return "Not right yet. Try again, or show the answer.";
+    if (question()->kind != "play") return "Not right yet: try again.";
     const std::vector<teach::PlayMove>& given = state().given.moves;
     const std::size_t alike = teach::movesAlike(given, right().answer.moves);
     const std::string upTo =

@@ -111,7 +111,7 @@ class LessonWalk {
 
 struct LessonPanel {
     LessonWalk walk;
-    float captionEms = 0.0F;   ///< Height of the text in Present, in its largest type.
+    float captionEms = 0.0F;   ///< Height of the text in Present; 0: not drawn yet.
     bool countsHands = false;  ///< Of the question: the fields for hands are open.
 
     std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.

@@ -271,9 +271,13 @@ TEST_CASE("Present has a second view beside the first where a step of a lesson c
         CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
         CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
         CHECK(l.narration.size.x == screen.size.x);
+        // The text has the height that it needs, up to a limit.
+        state.captionEms = 8.0F;
+        const PanelRects low = computePanelRects(screen.size, screen.em, state);
+        CHECK(low.narration.size.y == std::min(8.0F * screen.em, std::round(0.4F * screen.size.y)));
         state.captionEms = 1000.0F;
-        const PanelRects asks = computePanelRects(screen.size, screen.em, state);
-        CHECK(asks.narration.size.y > l.narration.size.y);
+        const PanelRects high = computePanelRects(screen.size, screen.em, state);
+        CHECK(high.narration.size.y == std::round(0.4F * screen.size.y));
         state.captionEms = 0.0F;
     }
 }

@@ -128,6 +128,47 @@ TEST_CASE("In Present an open question has the keys of its answers, and F5 retur
     CHECK(app["blank"] == "true");
 }
 
+TEST_CASE("In Present the caption begins a lesson with its introduction, and all of it fits") {
+    const test::OwnFolder folder;
+    const std::string path = (folder / "introduced.lesson.md").string();
+    const auto heightWith = [&](const std::string& introduction) {
+        std::ofstream(path)
+            << "# A lesson\n```se lesson\nversion = 1\ninput = \"scene:torus\"\n```\n"
+            << introduction
+            << "\n## The first step\nOne line.\n```se step\nat = \"1.sort.1\"\n```\n";
+        DrivenApp app({path, "--layout", "present"});
+        return app ? app.ui.where.at("lesson caption").size.y : 0.0F;
+    };
+    const float without = heightWith("");
+    if (without == 0.0F) return;
+    CHECK(heightWith("What it is about.") > without);
+    for (const char* lesson : {"removal", "tour", "spiral", "class"}) {
+        CAPTURE(lesson);
+        DrivenApp app({std::string("lesson:") + lesson, "--step", "1", "--layout", "present"});
+        const Rect area = app.app.areas().narration;
+        CHECK(app.ui.where.at("lesson caption").max().y < area.max().y);
+        CHECK(area.size.y <= 0.4F * 800.0F);
+    }
+}
+
+TEST_CASE("In Present a question has its options on one line, and the caption no empty half") {
+    DrivenApp app({"lesson:removal", "--step", "2", "--layout", "present"});
+    if (!app) return;
+    const auto caption = [&] { return app.ui.where.at("lesson caption"); };
+    const float asked = caption().size.y;
+    const float area = app.app.areas().narration.size.y;
+    CHECK(area < 0.4F * 800.0F);
+    CHECK(caption().size.y > 0.8F * area);
+    // The grade is on the line of the options, so the view keeps its size.
+    app.press("B Enter");
+    CHECK(app["answered_right"] == "false");
+    CHECK(caption().size.y == asked);
+    app.press("A Enter");
+    CHECK(app["answered_right"] == "true");
+    CHECK(caption().size.y == asked);
+    CHECK(app.app.areas().narration.size.y == area);
+}
+
 TEST_CASE("On a phone every question shows its answer field or first option above the way on") {
     for (const char* lesson : {"removal", "neighbor-ring", "one-pivot"}) {
         DrivenApp app({std::string("lesson:") + lesson, "--step", "1"}, {390, 844});
@@ -136,12 +177,12 @@ TEST_CASE("On a phone every question shows its answer field or first option abov
         for (std::size_t step = 1; step < walk.lesson().steps.size(); ++step) {
             app.press("PageDown");
             if (!walk.asks()) continue;
-            CAPTURE(lesson);
+            CAPTURE(walk.source());
             CAPTURE(walk.step() + 1);
-            const Rect next = app.ui.where.at("lesson next");
+            const Rect back = app.ui.where.at("lesson previous");
             const bool typed = app.shows("lesson answer field");
-            CHECK(app.ui.where.at(typed ? "lesson answer field" : "option A").max().y < next.min.y);
-            CHECK(next.max().y <= 844.0F);
+            CHECK(app.ui.where.at(typed ? "lesson answer field" : "option A").max().y < back.min.y);
+            CHECK(back.max().y <= 844.0F);
         }
     }
 }

@@ -22,17 +22,23 @@
 namespace se::view {
 
 // In Present the step of a lesson is the caption: title, text and options in the largest type in
-// which all of it fits, and small below them the decision.
+// which all of it fits, and small below them the keys of an open question, or the decision.
 
 namespace {
 
-/// Room above and below the text, in em.
+/// Room above and below the text, and between two on one line, in em.
 constexpr float kAroundText = 1.2F;
+constexpr float kBetweenOptions = 1.8F;
 
 struct Paragraph {
+    /// Options share a line if all of them fit on it, and a note follows what is before it there.
+    enum class Kind { Text, Option, Note };
+
     std::string text;
     Color color;
+    Kind kind = Kind::Text;
 };
+using ParagraphKind = Paragraph::Kind;
 
 /// The text without line breaks and blanks at its end.
 std::string withoutLastBreaks(std::string text) {
@@ -40,38 +46,111 @@ std::string withoutLastBreaks(std::string text) {
     return trimmed(text);
 }
 
-/// Title, text, and of a question the options or the answer.
-std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWalk& walk) {
-    const Palette& palette = context.palette;
-    const teach::LessonStep& step = walk.shownStep();
-    std::vector<Paragraph> all{{step.title, palette.accent}};
-    for (const teach::TextBlock& block : teach::textBlocks(step.text))
-        all.push_back({withoutLastBreaks(teach::plainTextOf({block})), palette.text});
-    const teach::Question* question = walk.question();
-    if (question == nullptr) return all;
+void addText(std::vector<Paragraph>& all, const std::string& markdown, const Color& color) {
+    for (const teach::TextBlock& block : teach::textBlocks(markdown))
+        all.push_back({withoutLastBreaks(teach::plainTextOf({block})), color});
+}
+
+/// The options, or what is typed. Requires a question.
+void addOptions(std::vector<Paragraph>& all, const LessonWalk& walk, const Palette& palette) {
+    const teach::Question& question = *walk.question();
     const auto right =
         walk.asks() ? std::nullopt
-                    : teach::rightOption({*question, walk.setting().names}, walk.right().answer);
-    for (std::size_t i = 0; i < question->options.size(); ++i) {
+                    : teach::rightOption({question, walk.setting().names}, walk.right().answer);
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
         const bool chosen = walk.asks() && walk.chosen() == i;
-        all.push_back({(chosen ? "> " : "") + teach::optionLetter(i) + "   " + question->options[i],
+        all.push_back({(chosen ? "> " : "") + teach::optionLetter(i) + "   " + question.options[i],
                        chosen       ? palette.accent
                        : right == i ? palette.used
-                                    : palette.text});
+                                    : palette.text,
+                       ParagraphKind::Option});
     }
-    if (walk.asks() && question->options.empty() && !walk.state().typed.empty())
+    if (walk.asks() && question.options.empty())
         all.push_back({"Your answer: " + walk.state().typed, palette.accent});
-    if (const std::string wrong = walk.asks() ? walk.tryText() : ""; !wrong.empty())
-        all.push_back({wrong, palette.last});
     if (!walk.asks() && !right) all.push_back({"Answer: " + walk.right().text, palette.used});
+}
+
+/// The grade of the last try. Requires a question.
+void addGrade(std::vector<Paragraph>& all, const LessonWalk& walk, const Palette& palette) {
+    const auto& grade = walk.state().grade;
+    if (walk.asks()) {
+        const std::string wrong = walk.tryText();
+        if (!wrong.empty()) all.push_back({wrong, palette.last, ParagraphKind::Note});
+    } else if (grade) {
+        all.push_back({grade->right ? "Right." : "Yours was not right.",
+                       grade->right ? palette.used : palette.last, ParagraphKind::Note});
+    }
+}
+
+/// Title, text, which at the first step begins with that of the lesson, and the question.
+std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWalk& walk) {
+    const Palette& palette = context.palette;
+    std::vector<Paragraph> all{{walk.shownStep().title, palette.accent}};
+    if (walk.step() == 0) addText(all, walk.lesson().text, palette.text);
+    addText(all, walk.shownStep().text, palette.text);
+    if (walk.question() == nullptr) return all;
+    addOptions(all, walk, palette);
+    addGrade(all, walk, palette);
     return all;
 }
 
-float heightOf(const std::vector<Paragraph>& paragraphs, float width) {
-    std::size_t lines = 0;
-    for (const Paragraph& each : paragraphs) lines += wrapped(each.text, width).size();
-    return static_cast<float>(lines) * ImGui::GetTextLineHeight() +
-           static_cast<float>(paragraphs.size()) * ImGui::GetStyle().ItemSpacing.y;
+/// The keys that answer an open question. Requires one.
+std::string keysOfAnswer(const PanelContext& context, const LessonPanel& panel) {
+    if (!panel.hides()) return "F5 returns to the question.";
+    const teach::Question& question = *panel.walk.question();
+    const std::string shows = context.key("lesson.next") + " shows the answer.";
+    if (panel.countsHands || question.kind == "play") return shows;
+    std::string way = "Click the points";
+    if (question.kind == "number") {
+        way = "Type the number";
+    } else if (!question.options.empty()) {
+        way = "A to " + teach::optionLetter(question.options.size() - 1);
+    } else if (question.kind == "point") {
+        way = "Click the point";
+    }
+    return way + ", then Enter; " + shows;
+}
+
+/// Whether each paragraph begins a line of its own, in the current type.
+std::vector<bool> lineStarts(const std::vector<Paragraph>& all, float width, float gap) {
+    float options = 0.0F;
+    for (const Paragraph& each : all) {
+        if (each.kind == ParagraphKind::Option) options += textWidth(each.text) + gap;
+    }
+    const bool inRow = options <= width;
+    std::vector<bool> starts;
+    float end = width;
+    ParagraphKind before = ParagraphKind::Text;
+    for (const Paragraph& each : all) {
+        const float wide = textWidth(each.text);
+        const bool follows = each.kind == ParagraphKind::Option
+                                 ? before == ParagraphKind::Option && inRow
+                                 : each.kind == ParagraphKind::Note && end + gap + wide <= width;
+        starts.push_back(!follows);
+        end = (follows ? end + gap : 0.0F) + wide;
+        if (each.kind == ParagraphKind::Option && !inRow) end = width;
+        before = each.kind;
+    }
+    return starts;
+}
+
+float heightOf(const std::vector<Paragraph>& paragraphs, float width, float gap) {
+    const std::vector<bool> starts = lineStarts(paragraphs, width, gap);
+    float height = 0.0F;
+    for (std::size_t i = 0; i < paragraphs.size(); ++i) {
+        if (!starts[i]) continue;
+        const auto lines = static_cast<float>(wrapped(paragraphs[i].text, width).size());
+        height += lines * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+    }
+    return height;
+}
+
+void drawParagraphs(const std::vector<Paragraph>& paragraphs, float width, float gap) {
+    const std::vector<bool> starts = lineStarts(paragraphs, width, gap);
+    for (std::size_t i = 0; i < paragraphs.size(); ++i) {
+        if (!starts[i]) ImGui::SameLine(0.0F, gap);
+        wrappedText(paragraphs[i].text, paragraphs[i].color);
+    }
 }
 
 /// True where the step of a lesson is the caption.
@@ -80,38 +159,37 @@ bool showsLessonCaption(const PanelContext& context) {
            context.state<LessonPanel>().walk.isOpen();
 }
 
-/// Draws the step, with the decision at the cursor below it. Requires showsLessonCaption().
+/// Draws the step, and below it the keys of its question or the decision at the cursor. Requires
+/// showsLessonCaption().
 void drawLessonCaption(const PanelContext& context, const std::string& decision) {
     LessonPanel& panel = context.state<LessonPanel>();
     const LessonWalk& walk = panel.walk;
     const std::vector<Paragraph> paragraphs = paragraphsOf(context, walk);
-    const float indent = 0.8F * context.em;
+    const float em = context.em;
+    const float indent = 0.8F * em;
     const float left = ImGui::GetCursorPosX() + indent;
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    // Of the decision, which is shown after the question.
-    const float below = walk.asks() ? 0.0F : ImGui::GetTextLineHeightWithSpacing();
-    const float width = room.x - 2.0F * indent;
+    const float width = ImGui::GetContentRegionAvail().x - 2.0F * indent;
+    const float gap = kBetweenOptions * em;
     const Fonts& fonts = context.fonts;
+    const float most = kLargestLessonShare * context.rects.window.y;
     ImFont* chosen = fonts.small;
-    for (ImFont* font : {fonts.caption, fonts.large, fonts.text}) {
+    for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
+        chosen = font;
         ImGui::PushFont(font);
-        const float height = heightOf(paragraphs, width);
-        const bool fits = height <= room.y - below;
-        if (font == fonts.caption)
-            panel.captionEms = (height + below + kAroundText * context.em) / context.em;
+        const float height = heightOf(paragraphs, width, gap) + kAroundText * em +
+                             fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
         ImGui::PopFont();
-        if (fits) chosen = font;
-        if (fits) break;
+        // The next frame has that room.
+        panel.captionEms = height / em;
+        if (height <= most) break;
     }
     ImGui::SetCursorPosX(left);
     ImGui::BeginGroup();
     ImGui::PushFont(chosen);
-    for (const Paragraph& each : paragraphs) wrappedText(each.text, each.color);
+    drawParagraphs(paragraphs, width, gap);
     ImGui::PopFont();
-    // The question comes first, and the text of the step is never smaller than the decision.
     ImGui::PushFont(fonts.small);
-    if (!walk.asks() && ImGui::GetContentRegionAvail().y >= ImGui::GetTextLineHeight())
-        dimText(fitted(decision, width));
+    dimText(fitted(walk.asks() ? keysOfAnswer(context, panel) : decision, width));
     ImGui::PopFont();
     ImGui::EndGroup();
     nameItem(context, "lesson caption");
