@@ -27,9 +27,8 @@ Status checkLengths(const PointSet& points) {
         return Error{"there are " + std::to_string(n) + " positions, but " +
                      std::to_string(points.aside.size()) + " marks of points set aside"};
     }
-    bool good = offset.front() == 0 && offset.back() == points.neighbors.ids.size();
-    for (std::size_t p = 0; p < n; ++p) good = good && offset[p] <= offset[p + 1];
-    if (!good) return Error{"the offsets of the neighbor lists do not divide their entries"};
+    if (!points.neighbors.divided())
+        return Error{"the offsets of the neighbor lists do not divide their entries"};
     return success();
 }
 

@@ -59,7 +59,8 @@ Vec3 meanOfDirections(const std::vector<Vec3>& directions, std::size_t& averaged
 /// "12 places with several normals: the mean of them is used"; empty for none.
 std::string averagedText(std::size_t places);
 
-/// Fails if the columns of the file differ in length, or there are too many points for an Index.
+/// Fails if the columns of the file differ in length, the neighbor lists are not divided(), or
+/// there are too many points for an Index.
 Status checkColumns(const PointFile& file);
 
 /// The points of `points` that are in a triangle, in their order, with their normals, types,

@@ -442,6 +442,22 @@ TEST_CASE("prepare: equal distances in lists from the file are put in order of i
     CHECK(toVectors(mustPrepare(file).points.neighbors)[0] == std::vector<Index>{1, 2, 3, 4});
 }
 
+TEST_CASE("prepare: offsets that do not divide the entries of the lists fail") {
+    const std::string error = "the offsets of the neighbor lists do not divide their entries";
+    PointFile file = makeCircle();
+    for (Index p = 0; p < 12; ++p) file.neighbors.append(std::vector<Index>{(p + 1) % 12});
+    CHECK(errorOf(file) == "none");
+    for (const auto& [at, offset] : {std::pair(3U, 1U << 30U), {3U, 5U}, {12U, 11U}, {0U, 1U}}) {
+        PointFile wrong = file;
+        wrong.neighbors.offset[at] = offset;
+        CHECK(errorOf(wrong) == error);
+    }
+    file.neighbors.ids.resize(3);
+    CHECK(errorOf(file) == error);
+    file.neighbors = {{}, {}};
+    CHECK(errorOf(file) != "none");
+}
+
 TEST_CASE("prepare: a list that names a point that does not exist is an error") {
     PointFile file = makeCircle();
     file.neighbors.append(std::vector<Index>{1, 12});
