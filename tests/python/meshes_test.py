@@ -165,6 +165,23 @@ def test_a_switch_that_is_off_changes_nothing(torus):
 def test_prepared_points_are_prepared_again_by_other_options(torus):
     prepared = se.prepare(torus, rules="paper", neighbors=10)
     assert se.prepare(prepared) is prepared
+def test_rules_may_be_a_list(torus):
+    assert se.prepare(torus, rule=["maxgap=100", "flip=off"]).options == \
+        se.prepare(torus, rule={"maxgap": 100, "flip": False}).options
+
+
+@pytest.mark.parametrize("scene", ["scene:figure-8", "scene:sheet"])
+def test_other_normals_of_points_leave_types_and_lists(scene):
+    points = se.read(scene)
+    usual = se.prepare(points, rules="paper")
+    same = se.prepare(points, normals=points.normals, rules="paper")
+    assert np.array_equal(same.types, usual.types) and np.array_equal(same.neighbors[1], usual.neighbors[1])
+    turned = se.prepare(points, normals=-2.0 * points.normals, rules="paper")
+    assert np.allclose(turned.normals, -usual.normals)
+    assert np.array_equal(turned.types, usual.types) and np.array_equal(turned.neighbors[1], usual.neighbors[1])
+    assert np.array_equal(se.reconstruct(same).triangles, se.reconstruct(usual).triangles)
+
+
     for options in ({"rules": "robust"}, {"neighbors": 8}, {"derive_normals": True}):
         theirs = se.reconstruct(torus, **{"rules": "paper", "neighbors": 10, **options})
         ours = se.reconstruct(prepared, **options)

@@ -49,6 +49,13 @@ Input fromArrays(const py::array& position, const py::array& normals,
     return share(std::move(file), "");
 }
 
+/// The points of a file with other normals. Requires one for each.
+Input withNormals(const Input& input, const py::array& normals) {
+    PointFile file = *input.file;
+    file.normal = rowsOf(normals, file.normalType);
+    return share(std::move(file), input.source);
+}
+
 py::tuple listsOf(const NeighborLists& lists, const std::shared_ptr<const void>& owner) {
     return py::make_tuple(viewOf(lists.offset, owner), viewOf(lists.ids, owner));
 }
@@ -262,6 +269,7 @@ void bindMeshes(py::module_& module) {
                         [](const py::tuple& pickle) { return inputFrom(pickle); }));
     module.def("from_arrays", fromArrays);
     module.def("read", readSource);
+        .def("with_normals", withNormals)
     py::class_<PreparedRun, SharedRun>(module, "PreparedRun")
         .def("record", preparedRecord)
         .def("write_session", writeSession)

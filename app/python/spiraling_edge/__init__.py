@@ -292,8 +292,9 @@ def _input(points: Any, normals: Any = None, triangles: Any = None, most_bytes: 
     if isinstance(points, (str, bytes, os.PathLike)):
         if normals is not None or triangles is not None:
             raise ValueError("normals, triangles: a file has its own")
-        return read(points, most_bytes or MOST_BYTES)._core
-    position = _rows(points.position if isinstance(points, Points) else points, "points")
+        return read(points, MOST_BYTES if most_bytes is None else most_bytes)._core
+    is_file = isinstance(points, Points)
+    position = _rows(points.position if is_file else points, "points")
     directions, corners = _rows(normals, "normals"), _rows(triangles, "triangles", "iu")
     if normals is not None and directions.shape != position.shape:
         raise ValueError(f"normals: expected shape {position.shape}, not {directions.shape}")
@@ -314,6 +315,8 @@ def _words(options: Dict[str, Any]) -> List[str]:
     words = []
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
+    if is_file and triangles is None:
+        return points._core.with_normals(directions)
         if name == "rule" and isinstance(value, dict):
             words += [f"{option}={rule}={_text(setting)}" for rule, setting in value.items()]
         elif name == "what_if" and isinstance(value, (list, tuple)):
