@@ -1,5 +1,6 @@
 """Runs decision by decision, and the reasons."""
 import _thread
+import copy
 import functools
 import gc
 import os
@@ -209,6 +210,12 @@ def test_a_state_comes_back_from_a_pickle():
 
 
 def test_the_viewer_gets_the_place(tmp_path):
+    for address in ("137.pivot.1", "137.sphere.1", "1.seed.1"):
+        before = run.at(address).before
+        for again in (pickle.loads(pickle.dumps(before)), copy.deepcopy(before)):
+            assert again.address == before.address and again.svg() == before.svg()
+            assert again.finished_triangles == before.finished_triangles
+            assert [ring.points.tolist() for ring in again.rings] == [ring.points.tolist() for ring in before.rings]
     viewer = tmp_path / "viewer.sh"
     viewer.write_text(f'#!/bin/sh\ncp "$1" "$(dirname "$1")/points.ply" "{tmp_path}"\n')
     viewer.chmod(viewer.stat().st_mode | stat.S_IXUSR)

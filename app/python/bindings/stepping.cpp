@@ -50,9 +50,10 @@ struct SeenDecision {
     DecisionState state;
 };
 
-/// The record State of a decision; `before`: that of the decision before it, or None.
+/// The record State of a decision; `before`: that just before it, or None, and of that one
+/// `following`, the address of the decision.
 py::object stateRecord(const SeenDecision& seen, const py::object& prepared,
-                       const py::object& before) {
+                       const py::object& before, const py::object& following) {
     const DecisionState& state = seen.state;
     const PointSet& points = *seen.run->points;
     std::optional<Reading> reading;
@@ -70,7 +71,7 @@ py::object stateRecord(const SeenDecision& seen, const py::object& prepared,
                   indexOrNone(state.underTest), state.sectorDegrees, state.complete,
                   ringPoints(state.neighborRing()), ringPoints(state.fan()), candidates,
                   ringList(state.rings), arrayOf(state.newTriangles), state.finishedTriangles,
-                  arrayOf(std::move(status)), prepared, before, seen);
+                  arrayOf(std::move(status)), prepared, before, following, seen);
 }
 
 /// The records Line of a ledger.
@@ -113,9 +114,11 @@ class Cursor {
     }
     py::object state() const {
         turn_.requireReadable();
+        py::object address = py::none();
+        if (const Event* event = cursor_.event()) address = textOf(toString(event->address));
         const auto before =
-            stateRecord({run_, params_, cursor_.stateBefore()}, prepared_, py::none());
-        return stateRecord({run_, params_, cursor_.state()}, prepared_, before);
+            stateRecord({run_, params_, cursor_.stateBefore()}, prepared_, py::none(), address);
+        return stateRecord({run_, params_, cursor_.state()}, prepared_, before, py::none());
     }
     py::list events() const {
         turn_.requireReadable();

@@ -193,7 +193,8 @@ class State:
     """A run just after one decision (`event`; None at the start). Points are None where there are none: pivot, first,
     last, start and end (6.1), under_test. status (n,) int32: UNUSED 0, USED the number of ring entries, DONE -1 (4).
     rings: the active one first, then the stack from the top. fan: the points of the triangles as they would be made
-    now (6.4); new_triangles (t, 3): those of this pivot. before: the state just before the decision."""
+    now (6.4); new_triangles (t, 3): those of this pivot. before: the state just before the decision; of the first one
+    of a pivot it has no event."""
     event: Optional[Event]
     reading: Optional[Reading]
     pivot: Optional[int]
@@ -214,9 +215,10 @@ class State:
     prepared: Prepared = field(repr=False)
     before: Optional["State"] = field(repr=False)
     _core: Any = field(repr=False)
+    _next: Optional[str] = field(repr=False)  # of a `before`: the address of the decision
 
     def __reduce__(self) -> Any:
-        return _state_at, (self.prepared, self.address)
+        return _state_at, (self.prepared, self.address, self._next)
 
     @property
     def address(self) -> Optional[str]:
@@ -270,15 +272,26 @@ class Mesh:
         return f"<Mesh of {len(self.triangles)} triangles and {len(self.position)} points, {self.options}>"
 
 
-def _state_at(prepared: Prepared, address: Optional[str]) -> State:
+def _state_at(prepared: Prepared, address: Optional[str], following: Optional[str]) -> State:
     run = Run(prepared)
     return run.at(address) if address else run.state
 
 
 def _rows(values: Any, name: str, kinds: str = "fiu") -> np.ndarray:
+    if following:
+        return run.at(following).before
     array = np.empty((0, 3), np.int64) if values is None else np.asarray(values)
     if np.ma.isMaskedArray(values):
         raise ValueError(f"{name}: has a mask; leave out or fill what it hides")
+def _whole(value: Any, name: str, least: int, most: int) -> int:
+    try:
+        if least <= operator.index(value) <= most:
+            return operator.index(value)
+    except TypeError:
+        pass
+    raise ValueError(f"{name}: expected a whole number from {least} to {most}, not {value!r}")
+
+
     if array.dtype.kind not in kinds:
         raise ValueError(f"{name}: expected {'numbers' if 'f' in kinds else 'whole numbers'}, not {array.dtype}")
     if array.ndim != 2 or array.shape[1] != 3:
