@@ -128,6 +128,9 @@ def test_other_arrays_are_refused_with_a_sentence(points, sentence):
     ({"scale": (1, 1, 1)}, "--scale=1,1,1: no such option of a run"),
     ({"colour": 1}, "--colour=1: no such option of a run"),
     ({"what_if": "137.sphere keep 100000"}, "Point 100000 does not exist."),
+    ({"rule": ["maxgap=100", "tie=no"]}, "--rule tie=no: write tie="),
+    ({"max_pivots": 3}, "--max-pivots=3: no such option of a run's points and rules; docs/command-line.md lists them"),
+    ({"most_bytes": -3}, "most_bytes: expected a whole number from 1 to 18446744073709551615, not -3"),
 ])
 def test_wrong_options_are_refused_with_a_sentence(torus, options, sentence):
     points = torus.position if "normals" in options else "scene:torus"
@@ -162,9 +165,6 @@ def test_a_switch_that_is_off_changes_nothing(torus):
     assert np.array_equal(se.reconstruct(torus, **off).triangles, se.reconstruct(torus).triangles)
 
 
-def test_prepared_points_are_prepared_again_by_other_options(torus):
-    prepared = se.prepare(torus, rules="paper", neighbors=10)
-    assert se.prepare(prepared) is prepared
 def test_rules_may_be_a_list(torus):
     assert se.prepare(torus, rule=["maxgap=100", "flip=off"]).options == \
         se.prepare(torus, rule={"maxgap": 100, "flip": False}).options
@@ -182,6 +182,9 @@ def test_other_normals_of_points_leave_types_and_lists(scene):
     assert np.array_equal(se.reconstruct(same).triangles, se.reconstruct(usual).triangles)
 
 
+def test_prepared_points_are_prepared_again_by_other_options(torus):
+    prepared = se.prepare(torus, rules="paper", neighbors=10)
+    assert se.prepare(prepared) is prepared
     for options in ({"rules": "robust"}, {"neighbors": 8}, {"derive_normals": True}):
         theirs = se.reconstruct(torus, **{"rules": "paper", "neighbors": 10, **options})
         ours = se.reconstruct(prepared, **options)
@@ -207,8 +210,12 @@ def test_errors_of_files_are_input_errors(tmp_path, scan):
         se.reconstruct("scene:none")
     with pytest.raises(ValueError, match="only .ply"):
         se.reconstruct(scan).write(tmp_path / "mesh.doc")
+    with pytest.raises(ValueError, match=".stl has no place for normals"):
+        se.reconstruct(scan).write(tmp_path / "mesh.stl", normals=True)
     with pytest.raises(OSError):
         se.reconstruct(scan).write(tmp_path / "no" / "mesh.ply")
+    with pytest.raises(ValueError, match="most_bytes: expected a whole number"):
+        se.read(scan, -3)
 
 
 def test_files_packed_by_gzip_are_read(tmp_path, scan):
@@ -225,6 +232,9 @@ def test_a_mesh_of_arrays_is_checked():
     assert not twice.sound and twice.counts["non_manifold_edges"] == 3
     with pytest.raises(ValueError, match="a corner is no row of the points"):
         se.check(corners, [[0, 1, 4]])
+    for ignored in ({"neighbors": 9}, {"colour": 1}, {"rules": "paper"}, {"normals": corners}):
+        with pytest.raises(ValueError, match="only with points="):
+            se.check(corners, closed, **ignored)
 
 
 def test_progress_is_a_share_and_false_cancels(torus):
@@ -275,6 +285,11 @@ def test_a_mesh_shows_itself_as_a_picture(torus):
     assert np.array_equal(huge.triangles, usual.triangles) and huge.png() == usual.png()
     with pytest.raises(ValueError, match="view: expected a direction"):
         mesh.png(view=(0, 0, 0))
+    with pytest.raises(ValueError, match="view: expected three numbers"):
+        mesh.png(view=(0, 0))
+    for size in (0, -1, 8193, 1.5, "large"):
+        with pytest.raises(ValueError, match="size: expected a whole number from 1 to 8192"):
+            mesh.png(size=size)
 
 
 def test_a_picture_of_a_large_mesh_takes_no_second():

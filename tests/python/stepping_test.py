@@ -174,6 +174,12 @@ def test_found_decisions_and_reasons_are_those_of_the_command_line(answer):
         run.why(point=1, edge=(1, 2))
     with pytest.raises(ValueError):
         run.why(point=10**6)
+    for most in (-1, 1.5, "all"):
+        with pytest.raises(ValueError, match="most: expected a whole number from 0"):
+            run.find("kept", most=most)
+    for size in (0, -1, 8193):
+        with pytest.raises(ValueError, match="size: expected a whole number from 1 to 8192"):
+            run.state.svg(size)
 
 
 @pytest.mark.parametrize("scene", ["torus", "stranded-point", "figure-8", "figure-13"])
@@ -204,18 +210,18 @@ def test_a_state_comes_back_from_a_pickle():
         again = pickle.loads(pickle.dumps(state))
         assert again.address == state.address and again.svg() == state.svg()
         assert np.array_equal(again.status, state.status)
-    answer = run.why(point=5)
-    again = pickle.loads(pickle.dumps(answer))
-    assert again.sentence == answer.sentence and str(again.lines) == str(answer.lines)
-
-
-def test_the_viewer_gets_the_place(tmp_path):
     for address in ("137.pivot.1", "137.sphere.1", "1.seed.1"):
         before = run.at(address).before
         for again in (pickle.loads(pickle.dumps(before)), copy.deepcopy(before)):
             assert again.address == before.address and again.svg() == before.svg()
             assert again.finished_triangles == before.finished_triangles
             assert [ring.points.tolist() for ring in again.rings] == [ring.points.tolist() for ring in before.rings]
+    answer = run.why(point=5)
+    again = pickle.loads(pickle.dumps(answer))
+    assert again.sentence == answer.sentence and str(again.lines) == str(answer.lines)
+
+
+def test_the_viewer_gets_the_place(tmp_path):
     viewer = tmp_path / "viewer.sh"
     viewer.write_text(f'#!/bin/sh\ncp "$1" "$(dirname "$1")/points.ply" "{tmp_path}"\n')
     viewer.chmod(viewer.stat().st_mode | stat.S_IXUSR)

@@ -100,10 +100,14 @@ void writeMade(const PreparedRun& run, const TriangleArray& mesh, const py::obje
     if (!force && std::filesystem::equivalent(path, run.spec.source, missing))
         throw std::invalid_argument(path +
                                     ": the points are from this file; force=True replaces it");
-    if (meshFormatOf(path) == nullptr)
+    const MeshFormat* format = meshFormatOf(path);
+    if (format == nullptr)
         throw std::invalid_argument(path + ": only " +
                                     listText(meshFormats(), &MeshFormat::extension, "and") +
                                     " can be written");
+    if (normals && format->bytesWithNormals == nullptr)
+        throw std::invalid_argument(path + ": " + std::string(format->extension) +
+                                    " has no place for normals of points");
     const Triangles triangles = trianglesOn(run, mesh);
     const Status written = longCall(py::none(), [&](const Progress&) {
         PointFile file = *run.file;
@@ -198,12 +202,12 @@ py::object checkMesh(const Input& input, const SharedRun& run) {
     }));
 }
 
-/// Colors (size, size, 4) of a mesh as seen from a direction, the lowest row first.
+/// Colors (size, size, 4) of a mesh as seen from a direction, the lowest row first. Requires
+/// 1 <= size <= 8192.
 py::array pictureOf(const PreparedRun& run, const TriangleArray& mesh, int size,
                     const std::array<double, 3>& toEye) {
     const Triangles triangles = trianglesOn(run, mesh);
     const Vec3 way(toEye[0], toEye[1], toEye[2]);
-    if (size < 1 || size > 8192) throw std::invalid_argument("size: expected 1 to 8192 pixels");
     if (!(glm::length(way) > 0.0)) throw std::invalid_argument("view: expected a direction");
     view::Picture picture = longCall(py::none(), [&](const Progress&) {
         return view::meshPicture(run.points->position, triangles, size, way);
@@ -265,11 +269,11 @@ py::object preparedRecord(const SharedRun& run) {
 void bindMeshes(py::module_& module) {
     py::class_<Input>(module, "Input")
         .def("record", pointsRecord)
+        .def("with_normals", withNormals)
         .def(py::pickle([](const Input& input) { return pickled(input); },
                         [](const py::tuple& pickle) { return inputFrom(pickle); }));
     module.def("from_arrays", fromArrays);
     module.def("read", readSource);
-        .def("with_normals", withNormals)
     py::class_<PreparedRun, SharedRun>(module, "PreparedRun")
         .def("record", preparedRecord)
         .def("write_session", writeSession)

@@ -301,8 +301,7 @@ void bindStepping(py::module_& module) {
         .def("next", &Cursor::next, "line"_a,
              "On to the next decision that a line matches, \"stage=sphere refused margin<0.01\"\n"
              "(spiraling-edge why --help); None, at the end of the run, if there is none.")
-        .def("find", &Cursor::find, "line"_a, "most"_a = 100, "progress"_a = py::none(),
-             "The first decisions of the whole run that a line matches. The place stays.")
+        .def("_find", &Cursor::find)
         .def_property_readonly("state", &Cursor::state, "The state at the place of the run.")
         .def_property_readonly("events", &Cursor::events,
                                "All decisions of the pivot at the place of the run, in order.");

@@ -29,6 +29,7 @@ __all__ = ["Answer", "Candidate", "Cancelled", "Event", "Failure", "Found", "Inp
            "check", "look", "prepare", "read", "reconstruct", "scenes", "why", "__version__"]
 
 MOST_BYTES = 1 << 31  # of an input, read or unpacked
+MOST_PIXELS = 8192  # of a side of a picture
 Progress = Optional[Callable[[float], Any]]
 
 
@@ -214,8 +215,8 @@ class State:
     status: np.ndarray
     prepared: Prepared = field(repr=False)
     before: Optional["State"] = field(repr=False)
-    _core: Any = field(repr=False)
     _next: Optional[str] = field(repr=False)  # of a `before`: the address of the decision
+    _core: Any = field(repr=False)
 
     def __reduce__(self) -> Any:
         return _state_at, (self.prepared, self.address, self._next)
@@ -226,7 +227,7 @@ class State:
 
     def svg(self, size: int = 480) -> str:
         """The tangent plane of the pivot as a drawing, `size` pixels wide, with the sentence."""
-        return self._core.svg(size)
+        return self._core.svg(_whole(size, "size", 1, MOST_PIXELS))
 
     _repr_svg_ = svg
 
@@ -259,6 +260,9 @@ class Mesh:
 
     def png(self, size: int = 480, view: Sequence[float] = (0.5, -0.8, 0.45)) -> bytes:
         """A picture of the mesh, seen from the direction `view`, z up; the inner side is red."""
+        size = _whole(size, "size", 1, MOST_PIXELS)
+        if np.shape(view) != (3,):
+            raise ValueError(f"view: expected three numbers, not {view!r}")
         rows = self.prepared._core.picture(self.triangles, size, view)[::-1, :, :3].reshape(size, 3 * size)
         header = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
         data = zlib.compress(np.pad(rows, ((0, 0), (1, 0))).tobytes())  # filter 0 before each row
@@ -274,15 +278,11 @@ class Mesh:
 
 def _state_at(prepared: Prepared, address: Optional[str], following: Optional[str]) -> State:
     run = Run(prepared)
+    if following:
+        return run.at(following).before
     return run.at(address) if address else run.state
 
 
-def _rows(values: Any, name: str, kinds: str = "fiu") -> np.ndarray:
-    if following:
-        return run.at(following).before
-    array = np.empty((0, 3), np.int64) if values is None else np.asarray(values)
-    if np.ma.isMaskedArray(values):
-        raise ValueError(f"{name}: has a mask; leave out or fill what it hides")
 def _whole(value: Any, name: str, least: int, most: int) -> int:
     try:
         if least <= operator.index(value) <= most:
@@ -292,6 +292,10 @@ def _whole(value: Any, name: str, least: int, most: int) -> int:
     raise ValueError(f"{name}: expected a whole number from {least} to {most}, not {value!r}")
 
 
+def _rows(values: Any, name: str, kinds: str = "fiu") -> np.ndarray:
+    array = np.empty((0, 3), np.int64) if values is None else np.asarray(values)
+    if np.ma.isMaskedArray(values):
+        raise ValueError(f"{name}: has a mask; leave out or fill what it hides")
     if array.dtype.kind not in kinds:
         raise ValueError(f"{name}: expected {'numbers' if 'f' in kinds else 'whole numbers'}, not {array.dtype}")
     if array.ndim != 2 or array.shape[1] != 3:
@@ -311,6 +315,8 @@ def _input(points: Any, normals: Any = None, triangles: Any = None, most_bytes: 
     directions, corners = _rows(normals, "normals"), _rows(triangles, "triangles", "iu")
     if normals is not None and directions.shape != position.shape:
         raise ValueError(f"normals: expected shape {position.shape}, not {directions.shape}")
+    if is_file and triangles is None:
+        return points._core.with_normals(directions)
     if corners.size and not 0 <= corners.min() <= corners.max() < len(position):
         raise ValueError("triangles: a corner is no row of the points")
     return _core.from_arrays(position, directions, corners)
@@ -324,15 +330,13 @@ def _text(value: Any) -> str:
 
 
 def _words(options: Dict[str, Any]) -> List[str]:
-    """Options as words of the command line; rule=, a dict, and what_if=, a list, may be several."""
+    """Options as words of the command line; rule=, a dict or a list, and what_if=, a list, may be several."""
     words = []
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
-    if is_file and triangles is None:
-        return points._core.with_normals(directions)
         if name == "rule" and isinstance(value, dict):
             words += [f"{option}={rule}={_text(setting)}" for rule, setting in value.items()]
-        elif name == "what_if" and isinstance(value, (list, tuple)):
+        elif name in ("rule", "what_if") and isinstance(value, (list, tuple)):
             words += [f"{option}={_text(line)}" for line in value]
         elif isinstance(value, (bool, np.bool_)):
             words += [option] if value else []
@@ -354,7 +358,7 @@ def _prepare(points: Any, normals: Any, usual: str, progress: Progress, **option
 
 def read(source: Union[str, bytes, "os.PathLike[str]"], most_bytes: int = MOST_BYTES) -> Points:
     """Reads a file of any format of docs/file-formats.md, also packed by gzip, or "scene:NAME". Raises InputError."""
-    return _core.read(source, most_bytes)
+    return _core.read(source, _whole(most_bytes, "most_bytes", 1, 2**64 - 1))
 
 
 def scenes() -> Dict[str, str]:
@@ -392,6 +396,8 @@ def check(vertices: Source, triangles: Any = None, points: Optional[Source] = No
           rules: Optional[str] = None, **options: Any) -> Verdict:
     """The verdict on any mesh: a file, or vertices (n, 3) and triangles (t, 3). points, normals and options: those
     that it was made of, by which it is judged; None: by itself alone. Raises ValueError, InputError."""
+    if points is None and (normals is not None or rules is not None or options):
+        raise ValueError("normals, rules and options: only with points=, which they prepare")
     judge = None if points is None else _prepare(points, normals, "robust", None, rules=rules, **options)._core
     return _core.check(_input(vertices, None, triangles), judge)
 
@@ -419,6 +425,10 @@ class Run(_core.Cursor):
         if not self._go_to(str(address)):
             raise LookupError(f"{address}: the run has no such decision")
         return self.state
+
+    def find(self, line: str, most: int = 100, progress: Progress = None) -> Found:
+        """The first decisions of the whole run that a line matches, at most `most`. The place stays."""
+        return self._find(line, _whole(most, "most", 0, 2**64 - 1), progress)
 
     def why(self, point: Optional[int] = None, edge: Optional[Sequence[int]] = None,
             triangle: Optional[Sequence[int]] = None, more: bool = False, progress: Progress = None) -> Answer:

@@ -2,7 +2,7 @@ from typing import Any, List, Optional
 
 import numpy as np
 
-from . import Event, Found, Ring, RingPoints, State
+from . import Event, Ring, RingPoints, State
 
 __version__: str
 
@@ -15,7 +15,6 @@ class Cursor:
     def forward(self, unit: str = "decision") -> Optional[State]: ...
     def back(self, unit: str = "decision") -> Optional[State]: ...
     def next(self, line: str) -> Optional[State]: ...
-    def find(self, line: str, most: int = 100, progress: Any = None) -> Found: ...
 
 class Stepper:
     phase: str

@@ -555,7 +555,8 @@ Result<SpecChange> changeFromWords(std::span<const std::string> words) {
         });
         if (field == kFields.end()) {
             return Error{excerpt(words[i]) +
-                         ": no such option of a run; spiraling-edge run --help lists them"};
+                         ": no such option of a run's points and rules; docs/command-line.md lists "
+                         "them as shared options"};
         }
         const bool takesNext = !field->value.empty() && equals == std::string::npos;
         if (takesNext && i + 1 == words.size())

@@ -147,7 +147,8 @@ TEST_CASE("spec fields: words that are no options are errors that name them") {
         return change ? "none" : change.error().message;
     };
     CHECK(fault({"--sturdy"}) ==
-          "--sturdy: no such option of a run; spiraling-edge run --help lists them");
+          "--sturdy: no such option of a run's points and rules; docs/command-line.md lists them "
+          "as shared options");
     CHECK(fault({"--radius"}) == "--radius: its value is missing");
     CHECK(fault({"--radius", "x"}) == "--radius x: expected a number > 0");
     CHECK(fault({"-k", "9", "--scanner=-1,0,0", "--symmetric"}) == "none");
