@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/text_scan.h"
+
 namespace se {
 
 void SpecOptions::addTo(CLI::App& app, std::initializer_list<SpecGroup> groups) {
@@ -43,11 +46,20 @@ SpecChange SpecOptions::given() const {
     return change;
 }
 
+CLI::Validator wholeNumber(std::uint64_t least) {
+    const auto check = [least](const std::string& text) -> std::string {
+        const auto number = numberIn<std::uint64_t>(text);
+        if (number && *number >= least) return {};
+        return fmt::format("{}: expected a whole number from {} on", excerpt(text), least);
+    };
+    return CLI::Validator(check, least > 0 ? "POSITIVE" : "");  // As the help says it.
+}
+
 void addByteLimit(CLI::App& app, ByteLimit& limit) {
     const SpecField& field = specFields().front();
     addOption(app, std::string(field.option), std::string(field.value), limit.bytes,
               std::string(field.help))
-        ->check(CLI::PositiveNumber);
+        ->check(wholeNumber(1));
 }
 
 std::string rulesHelp() {

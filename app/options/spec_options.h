@@ -46,6 +46,10 @@ CLI::Option* addOption(CLI::App& app, const std::string& names, const std::strin
     return app.add_option(names, bound, help)->type_name(value);
 }
 
+/// A check for whole numbers from `least` on, of 64 bits at most: a larger one is not cut, and a
+/// negative one does not wrap around.
+CLI::Validator wholeNumber(std::uint64_t least);
+
 /// Adds --most-bytes alone, for verbs that read other things than points.
 void addByteLimit(CLI::App& app, ByteLimit& limit);
 

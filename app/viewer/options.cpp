@@ -176,6 +176,7 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
     app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
     app.add_option("--seed", grow.seed, "With --new: seed of the random start positions")
         ->type_name("S")
+        ->check(wholeNumber(0))
         ->needs(made);
     app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
         ->type_name("X")

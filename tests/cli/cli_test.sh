@@ -1542,6 +1542,8 @@ why_checks_its_arguments() {
     expect 2 why scene:torus --point 1 --edge 1,2
     for bad in x 1,2 -1 "" 99999999999; do expect 2 why scene:torus "--point=$bad"; done
     for bad in 1 1,x 1,2,3 1,; do expect 2 why scene:torus --edge "$bad"; done
+    expect 2 why scene:torus --closest 0
+    says err "--closest: 0: expected a whole number from 1 on"
     expect 2 why scene:torus --find dragons
     says err '"dragons" is not understood'
     expect 2 why scene:torus --failure dragons
@@ -2283,7 +2285,10 @@ pivots_are_played() {
     expect 3 practice --seed 10 --answer range.txt
     says err "range.txt: line 1: 99: there are 35 points, from 0"
     expect 3 practice --answer missing.txt
-    expect 2 practice --seed x
+    for seed in x -1 99999999999999999999999; do
+        expect 2 practice --seed $seed
+        says err "--seed: $seed: expected a whole number from 0 on"
+    done
     expect 2 practice --result a.result.json
     expect 2 practice --answer right.txt --result right.txt
     for seed in $(seq 30); do

@@ -24,7 +24,9 @@ struct PracticeArguments {
     ForceOption force;
 
     void addTo(CLI::App& app) {
-        addOption(app, "--seed", "N", seed, "Number of the task")->capture_default_str();
+        addOption(app, "--seed", "N", seed, "Number of the task")
+            ->capture_default_str()
+            ->check(wholeNumber(0));
         auto* answered = addOption(app, "--answer", "FILE", answer,
                                    "Grade the moves of this file, or -: exit with 1 if one "
                                    "is wrong");

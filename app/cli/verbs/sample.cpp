@@ -42,7 +42,8 @@ struct SampleArguments : AnswerOptions {
         addOption(app, "--iso", "V", isovalue,
                   "Isovalue (default: that of the shape, or the key `isovalue` of the volume)");
         addOption(app, "--seed", "S", sampler.seed, "Seed of the random start positions")
-            ->capture_default_str();
+            ->capture_default_str()
+            ->check(wholeNumber(0));
         addOption(app, "--box", "BOX", box,
                   "Clip to this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
                   "shape, or the whole volume)");

@@ -59,7 +59,9 @@ struct TableArguments : AnswerOptions {
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
         app.footer(rulesHelp());
-        addOption(app, "--seed", "S", sampler.seed, "Seed of the particles")->capture_default_str();
+        addOption(app, "--seed", "S", sampler.seed, "Seed of the particles")
+            ->capture_default_str()
+            ->check(wholeNumber(0));
         addOption(app, "--curvature", "X", sampler.curvature, "As in `spiraling-edge sample`")
             ->check(CLI::Range(0.0, 100.0));
         addOption(app, "--save", "DIR", save,

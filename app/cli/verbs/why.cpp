@@ -66,7 +66,7 @@ struct WhyArguments : AnswerOptions {
                           "pivots; each with the --find line that lists them");
         addOption(*subject, "--closest", "N", closest,
                   "No subject: the N decisions closest to going the other way")
-            ->check(CLI::PositiveNumber);
+            ->check(wholeNumber(1));
         addOption(*subject, "--find", "LINE", query,
                   "No subject: the decisions that a line such as \"stage=sphere kept "
                   "margin<1e-4\" matches");
