@@ -2192,6 +2192,16 @@ lessons_are_listed_and_shown() {
     expect 0 lesson show removal --answers
     says out "Answer: q"
     says out "removing it leaves a gap of 53.4 deg: removed."
+    expect 0 lesson show spiral
+    says out "   scene:figure-2 --goto 1.advance.1 --with '--rule sphere=off'"
+    expect 0 lesson show class
+    says out "   lesson:class --step "
+    mkdir folder
+    printf '%s\n' '# T' '```se lesson' 'version = 1' 'input = "p.ply"' 'rules = "robust"' \
+        'rule = ["sphere=off"]' 'options = { neighbors = 9 }' '```' '## One' '```se step' 'at = "1.emit.1"' \
+        'what_if = ["1.sphere drop 559"]' '```' >folder/a.lesson.md
+    expect 0 lesson show folder/a.lesson.md
+    says out "   folder/p.ply --rules robust --rule sphere=off --what-if '1.sphere drop 559' --neighbors 9 --goto 1.emit.1"
     expect 3 lesson show nothing
     says err "no such lesson or file"
     expect 2 lesson show

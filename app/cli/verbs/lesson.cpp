@@ -12,6 +12,8 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/gzip.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_check.h"
@@ -19,6 +21,7 @@
 #include "teach/lesson_runs.h"
 #include "teach/lesson_skeleton.h"
 #include "teach/lesson_text.h"
+#include "teach/practice.h"
 #include "teach/result.h"
 #include "verbs.h"
 
@@ -64,13 +67,30 @@ std::string contentText(const Lesson& lesson) {
     return counted(lesson.steps.size(), "step") + ", " + counted(lesson.questions(), "question");
 }
 
+/// True if the viewer's options name the runs of a step without the lesson: the input is a scene or
+/// a file of points, and no word of `compare` has a blank, at which the text of --with is split.
+bool isNamedByOptions(const teach::StepSetting& setting, const LessonStep& step) {
+    return !teach::practiceSeed(setting.input) &&
+           !setting.input.ends_with(teach::kLessonExtension) &&
+           io::wordsIn(joined(step.compare, " ")).size() == step.compare.size();
+}
+
+/// The words by which the viewer opens the run of a step at its position, and the other run beside
+/// it. Requires a lesson without faults.
 std::string placeLine(const Lesson& lesson, std::size_t number) {
     const teach::StepSetting setting = teach::settingOf(lesson, number);
     const LessonStep& step = lesson.steps[number];
-    std::string line =
-        fmt::format("   {} --goto {}", shellPath(setting.input), shellQuoted(setting.at));
-    if (!step.compare.empty()) line += " --with";
-    for (const std::string& word : step.compare) line += " " + shellQuoted(word);
+    if (!isNamedByOptions(setting, step)) {
+        const bool isBuiltIn = teach::findEmbeddedLesson(lesson.name) != nullptr;
+        return fmt::format("   {}{} --step {}\n", isBuiltIn ? "lesson:" : "",
+                           shellPath(lesson.name), number + 1);
+    }
+    const fs::path folder = fs::path(lesson.name).parent_path();
+    std::string line = "   " + shellPath(teach::lessonSource(setting.input, folder));
+    for (const std::string& option : optionsOf(valuesOf(teach::runSpec(setting).value())))
+        line += " " + option;
+    line += " --goto " + shellQuoted(setting.at);
+    if (!step.compare.empty()) line += " --with " + shellQuoted(joined(step.compare, " "));
     return line + "\n";
 }
 
