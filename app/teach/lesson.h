@@ -105,7 +105,7 @@ struct LessonStep {
     std::string camera;                  ///< JSON as Ctrl+C copies it.
     std::string view;                    ///< One of lessonViews().
     std::string frame;                   ///< "all" or "pivot".
-    std::vector<std::string> pin, hide;  ///< Layers by name.
+    std::vector<std::string> pin, hide;  ///< Of kLayerNames.
     std::optional<PlaySpeed> play;
     std::vector<LessonFact> facts;
     std::optional<Question> question;
@@ -131,6 +131,14 @@ struct Lesson {
     double minutes() const;
     std::size_t questions() const;
 };
+
+/// Names of the layers of the viewer's picture, in its drawing order.
+inline constexpr std::array<std::string_view, 31> kLayerNames = {
+    "points",    "aside",   "triangles", "edges",   "ring",    "stack",    "sector",
+    "neighbors", "seed",    "walls",     "angles",  "limits",  "convex",   "reciprocal",
+    "hole",      "spheres", "twopoint",  "fan",     "change",  "exchange", "advance",
+    "component", "guard",   "fill",      "mending", "normals", "links",    "labels",
+    "selection", "marked",  "alerts"};
 
 /// A direction to look from, by name.
 struct LessonView {

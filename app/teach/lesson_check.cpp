@@ -224,8 +224,23 @@ class StepCheck {
             if (!checkPlace(link.line, "", link.address)) return false;
         }
         const KeyLines& lines = step_.lines;
-        return checkPlace(lines.of("until"), "until", step_.until) &&
-               checkPlace(lines.of("at"), "at", step_.at);
+        if (!checkPlace(lines.of("until"), "until", step_.until)) return false;
+        const auto end = placeInRun();
+        if (!checkPlace(lines.of("at"), "at", step_.at.empty() ? setting_.at : step_.at))
+            return false;
+        return step_.until.empty() || step_.question || placeInRun() < end ||
+               malformed(lines, "until", step_.until + " is not after " + setting_.at);
+    }
+
+    /// Pivot, and decisions of it up to the cursor: later in a run is greater.
+    std::pair<std::uint32_t, std::ptrdiff_t> placeInRun() const {
+        const Event* event = cursor_->event();
+        if (event == nullptr) return {0, 0};
+        const std::vector<Event>& events = cursor_->pivot().events;
+        const auto found = std::find_if(events.begin(), events.end(), [&](const Event& each) {
+            return each.address == event->address;
+        });
+        return {event->address.pivot, found - events.begin() + 1};
     }
 
     /// `words` are empty or an outcome that some decision can have.

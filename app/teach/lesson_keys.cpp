@@ -175,6 +175,14 @@ bool addWords(const toml::node& node, std::string_view key, SpecChange& change) 
     for (std::string& each : words) change.push_back({findSpecField(key), std::move(each)});
     return true;
 }
+/// A list of layers.
+template <auto Member>
+bool readLayers(const toml::node& node, LessonStep& step) {
+    return readValue(node, step.*Member) &&
+           std::all_of((step.*Member).begin(), (step.*Member).end(), [](const std::string& word) {
+               return std::find(kLayerNames.begin(), kLayerNames.end(), word) != kLayerNames.end();
+           });
+}
 template <typename Target>
 bool readRules(const toml::node& node, Target& target) {
     return node.is_string() && addWords(node, "rules", target.rules);
@@ -202,7 +210,7 @@ bool readFacts(const toml::node& node, LessonStep& step) {
             return false;
         fact.words = fact.claims.front();
         fact.claims.erase(fact.claims.begin());
-        return true;
+        return !io::wordsIn(fact.words).empty();
     });
 }
 
@@ -245,11 +253,12 @@ bool readOptions(const toml::node& node, Lesson& lesson);
 constexpr std::string_view kPlace = "PIVOT[.STAGE[.N]], such as 9.sphere.2, or a share such as 50%";
 constexpr std::string_view kKind = "one of points, point, choice, number, play";
 constexpr std::string_view kView = "one of front, back, left, right, top, bottom";
+constexpr std::string_view kLayers = "a list of layers, by the names in docs/lessons.md";
 
 constexpr KeyRow<Lesson> kLessonKeys[] = {
     {"version", "1", readVersion},
     {"input", "a text: scene:ID, practice:SEED, or the path of a file", read<&Lesson::input>},
-    {"options", "a table of neighbors, radius, reach and symmetric", readOptions},
+    {"options", "a table of one of neighbors, radius and reach, and symmetric", readOptions},
     {"rules", "the name of a set of rules", readRules<Lesson>},
     {"rule", "a list of NAME=VALUE", readRule<Lesson>},
     {"names", "a table of names and points, { p = 15 }", read<&Lesson::names>},
@@ -277,8 +286,8 @@ constexpr KeyRow<LessonStep> kStepKeys[] = {
     {"view", kView, readSort<&LessonStep::view, isView>},
     {"camera", "a camera as Ctrl+C copies it, in '...'", read<&LessonStep::camera>},
     {"frame", "one of all, pivot", readSort<&LessonStep::frame, isFrame>},
-    {"pin", "a list of layers", read<&LessonStep::pin>},
-    {"hide", "a list of layers", read<&LessonStep::hide>},
+    {"pin", kLayers, readLayers<&LessonStep::pin>},
+    {"hide", kLayers, readLayers<&LessonStep::hide>},
 };
 
 constexpr KeyRow<Question> kAskKeys[] = {
@@ -314,6 +323,9 @@ bool readOptions(const toml::node& node, Lesson& lesson) {
         const auto text = isList ? textOf(value, *field) : std::nullopt;
         RunSpec spec;
         if (!text || !setField(*field, spec, *text)) return false;
+        for (const FieldValue& each : lesson.options) {
+            if (!field->excludes.empty() && each.field->excludes == field->excludes) return false;
+        }
         lesson.options.push_back({field, *text});
     }
     return true;
@@ -366,6 +378,16 @@ class BlockFaults {
         }
     }
 
+    /// Rules and what-ifs, each of which is valid or not by itself.
+    void values(const SpecChange& rules) {
+        for (const FieldValue& each : rules) {
+            RunSpec trial;
+            const Status set = applyChange({each}, trial);
+            if (set) continue;
+            add(each.field->type == SpecType::Rule ? "rule" : each.field->key, set.error().message);
+        }
+    }
+
   private:
     const KeyLines& lines_;
     std::vector<LessonFault>& faults_;
@@ -379,6 +401,11 @@ void checkOptions(const Question& question, BlockFaults& faults) {
     if (different.size() < count) faults.add("options", "two of the answers are the same");
     if (!question.verdicts.empty() && question.verdicts.size() != count)
         faults.add("verdicts", "expected one for each of the options");
+    std::vector<std::string> verdicts = question.verdicts;
+    std::erase(verdicts, "");
+    std::sort(verdicts.begin(), verdicts.end());
+    if (std::adjacent_find(verdicts.begin(), verdicts.end()) != verdicts.end())
+        faults.add("verdicts", "two of them are the same; one option is right, not two");
 }
 
 void checkAnswer(const Question& question, const QuestionKind& kind, BlockFaults& faults) {
@@ -405,6 +432,9 @@ void checkQuestion(const Question& question, std::vector<LessonFault>& all) {
 void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     BlockFaults faults(step.lines, all);
     faults.names(step.names);
+    if (!step.names.empty() && step.input.empty())
+        faults.add("names", "needs input, whose points they name; those of the lesson hold on");
+    faults.values(step.rules);
     if (step.select.size() > 3) faults.add("select", "expected one to three points");
     const auto camera = jsonFromText<nlohmann::json>(
         step.camera, "expected JSON, as Ctrl+C copies it in the viewer");
@@ -456,15 +486,8 @@ std::vector<LessonFault> syntaxFaults(const Lesson& lesson) {
         faults.add("version", "missing: write version = 1");
     if (lesson.input.empty()) faults.add("input", "missing: scene:ID, or the path of a file");
     faults.names(lesson.names);
+    faults.values(lesson.rules);
     for (const LessonStep& step : lesson.steps) checkStep(step, all);
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const Result<RunSpec> spec = runSpec(settingOf(lesson, i));
-        if (spec) continue;
-        const KeyLines& lines =
-            lesson.steps[i].rules.empty() ? lesson.lines : lesson.steps[i].lines;
-        all.push_back({lines.of("rules"), "rules", spec.error().message});
-        break;
-    }
     return all;
 }
 

@@ -88,7 +88,10 @@ class LessonReader {
     void takeBlock(cmark_node* node) {
         const std::string info = cmark_node_get_fence_info(node);
         const LessonBlock block{cmark_node_get_literal(node), lineOf(node)};
-        if (std::string fault = misplacement(info); !fault.empty()) {
+        if (!isClosed(node)) {
+            add(block.line, "", "the block has no end: close it by a line ```");
+            unclosed_ = true;
+        } else if (std::string fault = misplacement(info); !fault.empty()) {
             add(block.line, "", std::move(fault));
         } else if (info == "se lesson") {
             readLessonBlock(block, lesson_, faults_);
@@ -97,6 +100,17 @@ class LessonReader {
         } else {
             readAskBlock(block, lesson_.steps.back().question.emplace(), faults_);
         }
+    }
+
+    /// True if the last line of a fenced block is its closing fence, not the end of the text.
+    bool isClosed(cmark_node* node) const {
+        const std::size_t first = std::max<std::size_t>(lineOf(node), 1);
+        const auto last = static_cast<std::size_t>(std::max(cmark_node_get_end_line(node), 0));
+        if (last <= first || last > lines_.size()) return false;
+        const auto opening = io::wordsIn(lines_[first - 1]);
+        const auto closing = io::wordsIn(lines_[last - 1]);
+        return closing.size() == 1 && closing.front().size() >= 3 &&
+               closing.front().find_first_not_of(opening.front().front()) == std::string::npos;
     }
 
     /// Why a block may not stand here; empty if it may.
@@ -152,6 +166,7 @@ class LessonReader {
 
     void finish() {
         if (lesson_.title.empty()) lesson_.title = lesson_.name;
+        if (unclosed_) return;  // All after it stands in the block.
         if (lesson_.lines.block == 0)
             add(0, "", "no block `se lesson`: see docs/lessons.md, or spiraling-edge lesson new");
         if (lesson_.steps.empty()) add(0, "", "no step: begin one with `## Title`");
@@ -180,6 +195,7 @@ class LessonReader {
     std::vector<std::string_view> lines_;
     Folder folder_;
     Lesson lesson_;
+    bool unclosed_ = false;  ///< The last block has no closing fence.
     std::vector<LessonFault> faults_;
 };
 

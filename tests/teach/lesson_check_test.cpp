@@ -305,6 +305,11 @@ TEST_CASE("faults that only the run shows name line, key and what is there") {
     const std::string backward =
         "kind = \"points\"\nat = \"9.sphere.2\"\nuntil = \"9.sphere.1\"\nanswer = \"refused\"";
     CHECK(has(askCheck(backward), "until: 9.sphere.1 is not after 9.sphere.2"));
+    CHECK(has(stepCheck("at = \"9.sphere.2\"\nuntil = \"9.sphere.1\""),
+              "malformed x:14: until: 9.sphere.1 is not after 9.sphere.2"));
+    CHECK(has(stepCheck("at = \"9\"\nuntil = \"3\""), "until: 3 is not after 9"));
+    CHECK(stepCheck("at = \"9.sphere.2\"\nuntil = \"9.emit.1\"") == "good");
+    CHECK(stepCheck("at = \"0\"\nuntil = \"1\"") == "good");
     CHECK(stepCheck("at = \"50%\"") == "good");
     CHECK(stepCheck("at = \"0\"") == "good");
     CHECK(stepCheck("at = \"100%\"") == "good");

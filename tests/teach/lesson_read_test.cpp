@@ -88,7 +88,7 @@ TEST_CASE("brackets in texts and comments are no brackets") {
     const std::string toml =
         "select = [ # }\n 1]\nrules = \"paper\"\ncamera = '{\"a\": [1]}'\n"
         "frame = \"all\" # ] }\nwhat_if = ["
-        "\"\"\"9.sphere keep 46\"\"\"]\nnames = { \"\\\"}\" = 3 }";
+        "\"\"\"9.sphere keep 46\"\"\"]\ninput = \"scene:grid\"\nnames = { \"\\\"}\" = 3 }";
     const LessonReading reading = readLesson(lessonWith(stepWith("step", toml)), "x");
     for (const LessonFault& fault : reading.faults) MESSAGE(faultText(fault, "x"));
     CHECK(reading.ok());
@@ -131,8 +131,19 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(stepWith("step", "camera = \"no\"")), "camera: expected JSON"},
         {lessonWith(stepWith("step", "select = [1, 2, 3, 4]")), "select: expected one to three"},
         {lessonWith(stepWith("step", "rules = \"none\"")), "rules: --rules none: no such set"},
-        {lessonWith(stepWith("step", "rule = \"sphere=7\"")), "rules: --rule sphere=7"},
-        {lessonWith(stepWith("step", "what_if = \"9.sphere hold 1\"")), "--what-if"},
+        {lessonWith(stepWith("step", "rule = \"sphere=7\"")), "rule: --rule sphere=7"},
+        {lessonWith(stepWith("step", "at = \"0\"\nrule = \"maxgap=500\"")),
+         ":14: rule: --rule maxgap=500"},
+        {lessonWith(stepWith("step", "rules = \"paper\"\nwhat_if = \"9.sphere hold 1\"")),
+         ":14: what_if: --what-if"},
+        {lessonWith(stepWith("step", "names = { z = 3 }")), ":13: names: needs input"},
+        {lessonWith(stepWith("step", "pin = [\"spheres\", \"circle\"]")),
+         ":13: pin: expected a list of layers"},
+        {lessonWith(stepWith("step", "hide = [\"grid\"]")), ":13: hide: expected a list"},
+        {lessonWith(stepWith("step", "facts = [[\" \", \"points: 50\"]]")),
+         ":13: facts: expected a list of lists"},
+        {lessonWith("## S\n\n```se step\nat = \"0\"\n## T\n"), ":10: the block has no end"},
+        {"# T\n```se lesson\nversion = 1\n", ":2: the block has no end"},
         {lessonWith(stepWith("step", "compare = \"--fast 1\"")), "compare: --fast: no such option"},
         {lessonWith(stepWith("step", "compare = \"--rules\"")), "its value is missing"},
         {lessonWith(stepWith("steps", "")), "expected `se lesson`, `se step` or `se ask`"},
@@ -149,6 +160,18 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(stepWith("ask", ask + "options = [\"a\", \"a\"]")), "two of the answers"},
         {lessonWith(stepWith("ask", ask + "options = [\"a\", \"b\"]\nverdicts = [\"kept\"]")),
          "verdicts: expected one for each"},
+        {lessonWith(
+             stepWith("ask", ask + "options = [\"a\", \"b\"]\nverdicts = [\"kept\", \"kept\"]")),
+         ":17: verdicts: two of them are the same"},
+        {"# T\n\n" + fenced("lesson", "version = 1\ninput = \"scene:grid\"\nrule = [\"tie=no\"]") +
+             "## S\n",
+         ":6: rule: --rule tie=no"},
+        {"# T\n\n" +
+             fenced("lesson",
+                    "version = 1\ninput = \"scene:grid\"\noptions = { neighbors = 12, radius = 0.5 "
+                    "}") +
+             "## S\n",
+         ":6: options: expected a table of one of neighbors, radius and reach"},
         {"# T\n\n" + fenced("lesson", "version = 2\ninput = \"scene:figure-8\"") + "## S\n",
          ":4: version: expected 1"},
         {"# T\n\n" + fenced("lesson", "version = 1") + "## S\n", ":3: input: missing"},
@@ -198,6 +221,15 @@ TEST_CASE("all faults of a lesson are found, in the order of the file") {
     CHECK(reading.faults[0].key == "untill");
     CHECK(reading.faults[1].key == "frame");
     CHECK(reading.faults[2].key == "at");
+}
+
+TEST_CASE("the first line of faults of a lesson with an open block is that of the block") {
+    const LessonReading reading = readLesson("# T\n```se lesson\nversion = 1\n## S\n", "x");
+    REQUIRE(reading.faults.size() == 1);
+    CHECK(reading.faults[0].line == 2);
+    const std::string tilde =
+        "# T\n\n~~~~se lesson\nversion = 1\ninput = \"scene:grid\"\n~~~~~  \n## S\n";
+    CHECK(faultOf(tilde) == "");
 }
 
 TEST_CASE("a file that is none, or too long, is refused") {
@@ -254,6 +286,17 @@ TEST_CASE("each key of the table is in docs/lessons.md") {
     for (const std::string_view key : lessonKeys()) {
         CAPTURE(key);
         CHECK(contains(page.value(), "`" + std::string(key) + "`"));
+    }
+}
+
+TEST_CASE("each layer is in docs/lessons.md") {
+    const Result<std::string> page =
+        readBytes(std::filesystem::path(SPIRALING_EDGE_DOCS) / "lessons.md");
+    REQUIRE(page.ok());
+    const std::string list = page.value().substr(page.value().find("Layers: "));
+    for (const std::string_view layer : kLayerNames) {
+        CAPTURE(layer);
+        CHECK(contains(list.substr(0, list.find("\n\n")), std::string(layer)));
     }
 }
 

@@ -9,6 +9,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
+#include "teach/lesson.h"
 
 namespace se::view {
 
@@ -52,6 +53,12 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Marked, "marked", "Marked points", kEveryStage, addMarked},
     {LayerId::Alerts, "alerts", "Alerts", kEveryStage, addAlerts},
 }};
+
+// By these a lesson is checked without a viewer.
+static_assert(std::equal(kLayers.begin(), kLayers.end(), teach::kLayerNames.begin(),
+                         teach::kLayerNames.end(), [](const Layer& layer, std::string_view name) {
+                             return layer.name == name;
+                         }));
 
 constexpr std::array<std::string_view, 3> kModeNames = {"auto", "on", "off"};
 
