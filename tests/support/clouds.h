@@ -102,6 +102,13 @@ inline Prepared preparedBy(const char* rules, const PointFile& file) {
 /// The points of a built-in scene.
 inline PointSet sceneNamed(std::string_view id) { return prepared(findScene(id)->build()); }
 
+/// Calls visit(scene) for every built-in scene of either table.
+template <typename Visit>
+void forEachScene(Visit&& visit) {
+    for (const Scene& each : scenes()) visit(each);
+    for (const FailureScene& each : failureScenes()) visit(each.scene);
+}
+
 /// The params with the start of a built-in scene.
 inline Params withStartOf(const Scene& scene, Params params) {
     params.start = startOfScene(scene.id);

@@ -101,11 +101,9 @@ class Maker {
     }
 
     void addRange() {
-        double end = picture_.endDegrees > 0.0 ? picture_.endDegrees : picture_.sectorDegrees;
-        if (!(end > 0.0) && picture_.end != kNone) end = degreesOf(picture_.end);
         const bool moved = picture_.start != picture_.first || picture_.end != picture_.last;
         if (moved) dial_.arcs.push_back({DialArc::Kind::OldRange, 0.0, picture_.sectorDegrees});
-        dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, end});
+        dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, picture_.endDegrees});
     }
 
     /// Ranks by angle, and marks of the candidates that have passed the test of §6.3.
@@ -233,7 +231,7 @@ class Maker {
                             ? std::string("the fan is refused")
                             : std::to_string(e.dropped) + " is dropped, 6.3 is repeated";
     }
-    /// The ear of a hole; its pivot has no measured sector.
+    /// The ear of a hole.
     void show(const FillEvidence& e) {
         addTriangle({e.pivot, e.first, e.last});
         dial_.caption = formatted("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength,

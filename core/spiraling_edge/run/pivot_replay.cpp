@@ -35,18 +35,14 @@ class EventReplay {
         setStatus(e.second, 1);
     }
     void on(const StrandEvidence& e) { setStatus(e.point, kDone); }
-    void on(const PivotEvidence& e) {
-        state_.pivot = e.pivot;
-        state_.first = state_.start = e.first;
-        state_.last = state_.end = e.last;
-        state_.sectorDegrees = state_.endDegrees = e.sectorDegrees;
-    }
+    void on(const PivotEvidence& e) { begin(e); }
     void on(const InsertEvidence& e) {
         if (e.verdict == Verdict::Before) {
             state_.first = state_.start = e.third;
         } else if (e.verdict == Verdict::After) {
             state_.last = state_.end = e.third;
         }
+        state_.sectorDegrees = state_.endDegrees = e.sectorDegrees;
         if (e.third != kNone) setStatus(e.third, 1);
     }
     void on(const SortEvidence& e) { mark(e.point, e.degrees, e.verdict); }
@@ -61,20 +57,30 @@ class EventReplay {
         // Start and end have marks of their own.
         if (!e.isLimit()) mark(e.point, e.degrees, e.verdict);
     }
-    void on(const ReciprocalEvidence& e) { mark(e.point, {}, e.verdict); }
+    void on(const ReciprocalEvidence& e) {
+        // One entry of the point whose test passes is enough.
+        const CandidateMark* known = find(e.point);
+        const bool passed = known != nullptr && known->stage == Stage::Reciprocal &&
+                            known->state == CandidateState::Kept;
+        if (!passed) mark(e.point, {}, e.verdict);
+    }
     void on(const HoleEvidence& e) {
         state_.hole = e;
         if (e.point != kNone) mark(e.point, {}, e.verdict);
     }
-    void on(const SphereEvidence& e) { mark(e.q, {}, e.verdict); }
+    void on(const SphereEvidence& e) {
+        if (pool_.empty()) pool_ = state_.candidates;
+        mark(e.q, {}, e.verdict);
+    }
     void on(const GuardEvidence& e) {
-        if (e.dropped != kNone && e.dropped != state_.pivot) mark(e.dropped, {}, e.verdict);
+        if (e.dropped == kNone || e.dropped == state_.pivot) return;
+        // §6.3 is repeated with the candidates that it had before.
+        const bool repeats = !isTaken(e.verdict) && !pool_.empty();
+        if (repeats) state_.candidates = pool_;
+        mark(e.dropped, {}, e.verdict);
+        if (repeats) pool_ = state_.candidates;
     }
-    void on(const FillEvidence& e) {
-        state_.pivot = e.pivot;
-        state_.first = state_.start = e.first;
-        state_.last = state_.end = e.last;
-    }
+    void on(const FillEvidence& e) { begin(e); }
     void on(const EmitEvidence& e) { state_.newTriangles.push_back(e.corners); }
     void on(const RingEvidence& e) {
         state_.ringChanges.push_back(e);
@@ -84,16 +90,28 @@ class EventReplay {
     template <typename Other>
     void on(const Other&) {}
 
+    /// The pivot, with first and last alone.
+    void begin(const auto& e) {
+        state_.pivot = e.pivot;
+        state_.first = state_.start = e.first;
+        state_.last = state_.end = e.last;
+        state_.sectorDegrees = state_.endDegrees = e.sectorDegrees;
+    }
     void setStatus(Index point, PointStatus status) {
         if (point < state_.status.size()) state_.status.set(point, status);
+    }
+    CandidateMark* find(Index point) {
+        auto& list = state_.candidates;
+        const auto found = std::find_if(list.begin(), list.end(), [&](const CandidateMark& each) {
+            return each.point == point;
+        });
+        return found == list.end() ? nullptr : &*found;
     }
     void mark(Index point, std::optional<double> degrees, Verdict verdict) {
         // Skipped before any test: never candidates.
         if (verdict == Verdict::AlreadyDone || verdict == Verdict::OnRingEnd) return;
-        auto& list = state_.candidates;
-        auto found = std::find_if(list.begin(), list.end(),
-                                  [&](const CandidateMark& each) { return each.point == point; });
-        if (found == list.end()) found = list.insert(found, CandidateMark{point, 0.0});
+        CandidateMark* found = find(point);
+        if (found == nullptr) found = &state_.candidates.emplace_back(CandidateMark{point, 0.0});
         if (degrees) found->degrees = *degrees;
         found->verdict = verdict;
         found->stage = stage_;
@@ -102,6 +120,7 @@ class EventReplay {
     }
 
     DecisionState& state_;
+    std::vector<CandidateMark> pool_;  ///< The candidates before §6.3, for NeighborRing::pool.
     Stage stage_ = Stage::Pivot;
 };
 

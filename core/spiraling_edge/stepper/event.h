@@ -192,11 +192,12 @@ struct SkipEvidence {
 struct InsertEvidence {
     Index pivot, other, third;
     bool corner;  ///< 7.2; else 7.1.
-    /// 7.1: of the normal of p and the vector to the second point, in the order of
-    /// PaperRules::turn.
+    /// 7.1 at a wall (else 0): of the normal of p and the vector to the second point, in the order
+    /// of PaperRules::turn.
     Vec3 cross;
-    std::uint8_t faces;  ///< Type bits of p.
-    Verdict verdict;     ///< Before, After, OtherSideOpen or NoThirdPoint.
+    std::uint8_t faces;          ///< Type bits of p.
+    Verdict verdict;             ///< Before, After, OtherSideOpen or NoThirdPoint.
+    double sectorDegrees = 0.0;  ///< Free sector of p from now on.
 };
 struct SortEvidence {
     Index point;
@@ -268,8 +269,9 @@ struct GuardEvidence {
 struct FillEvidence {
     Index pivot, first, last;
     Index ringLength;
-    double leastDegrees;  ///< The ear's least angle.
-    bool forced;          ///< No ear without a fault was left.
+    double leastDegrees;   ///< The ear's least angle.
+    bool forced;           ///< No ear without a fault was left.
+    double sectorDegrees;  ///< Free sector of the pivot.
 };
 /// A small component beside a larger one was taken out, or all fans at a point but the largest
 /// (RobustRules::dropPatches).

@@ -108,6 +108,8 @@ void phasePivot(AnyContext auto& context);
 /// Makes `entry` the pivot, with first and last, start at first and end at last, the frame and the
 /// angles.
 void setPivot(StepContext& context, Index entry);
+/// The free sector at an entry, from the entry before it to the one after it, for the log.
+double sectorDegrees(const StepContext& context, Index entry);
 // phases/sort.cpp: §6.1
 void phaseSort(AnyContext auto& context);
 // phases/limits.cpp: §6.1

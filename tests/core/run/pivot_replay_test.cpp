@@ -3,12 +3,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <memory>
+#include <string>
 
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/timeline.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
+#include "support/rule_values.h"
 
 using namespace se;
 
@@ -26,7 +30,110 @@ std::size_t indexOf(const PivotRecord& record, Stage stage) {
     return record.find({record.pivot, stage, 0}).value_or(record.events.size());
 }
 
+/// The neighbor ring that the stepper has: start, the candidates, end.
+std::vector<RingPoint> liveRing(const State& live) {
+    const NeighborRing& n = live.pivot;
+    std::vector<RingPoint> ring{{live.rings.point(n.start), n.startAngle.degrees()}};
+    for (const Candidate& each : n.candidates) ring.push_back({each.point, each.angle.degrees()});
+    ring.push_back({live.rings.point(n.end), n.endAngle.degrees()});
+    return ring;
+}
+
+/// Steps a run phase by phase beside the replay of its events.
+class BesideTheStepper {
+  public:
+    BesideTheStepper(const PointSet& points, const Params& params)
+        : stepper_(points, params, &log_), timeline_(points, params) {}
+
+    /// Compares the first `most` pivots. Returns the number of rings compared.
+    int compare(std::uint32_t most) {
+        const State& live = stepper_.state();
+        while (!live.finished() && !isRepair(live.phase) && live.counters.pivots < most) {
+            const Phase phase = live.phase;
+            if (log_.events().empty()) record_ = timeline_.record(live.counters.pivots + 1);
+            stepper_.advance();
+            const std::size_t known = log_.events().size();
+            const bool hasRing = (phase == Phase::Pivot && live.phase == Phase::Sort) ||
+                                 (phase >= Phase::Sort && phase <= Phase::Emit) ||
+                                 (phase == Phase::Fill && live.phase == Phase::Emit);
+            if (hasRing) compareRing(PivotReplay(record_).after(known - 1), phase);
+            if (phase != Phase::Advance) continue;
+            compareTests();
+            log_.clear();
+        }
+        return compared_;
+    }
+
+  private:
+    void compareRing(const DecisionState& replayed, Phase phase) {
+        const State& live = stepper_.state();
+        const NeighborRing& n = live.pivot;
+        CAPTURE(toString(log_.events().back().address));
+        CHECK(replayed.neighborRing() == liveRing(live));
+        CHECK(replayed.first == live.rings.point(n.first));
+        CHECK(replayed.last == live.rings.point(n.last));
+        CHECK(replayed.sectorDegrees == n.lastAngle.degrees());
+        ++compared_;
+        if (phase != Phase::Emit) return;
+        std::vector<Index> fan;
+        for (const RingPoint& each : replayed.fan()) fan.push_back(each.point);
+        CHECK(fan == n.spokes);
+    }
+    /// Each point tested by §6.3 stands between the two that it is tested with.
+    void compareTests() {
+        for (std::size_t i = 0; i < record_->events.size(); ++i) {
+            const auto* test = std::get_if<SphereEvidence>(&record_->events[i].evidence);
+            if (test == nullptr) continue;
+            CAPTURE(toString(record_->events[i].address));
+            const std::vector<RingPoint> ring = PivotReplay(record_).before(i).neighborRing();
+            const std::array<Index, 3> three{test->t, test->q, test->s};
+            const auto found =
+                std::search(ring.begin(), ring.end(), three.begin(), three.end(),
+                            [](const RingPoint& a, Index b) { return a.point == b; });
+            REQUIRE(found != ring.end());
+            CHECK(found[2].degrees - found[0].degrees == test->gapDegrees);
+        }
+    }
+
+    EventLog log_;
+    Stepper stepper_;
+    Timeline timeline_;
+    std::shared_ptr<const PivotRecord> record_;
+    int compared_ = 0;
+};
+
+/// Compares the rings of a scene by some rules.
+int compareRings(const Scene& scene, const Params& params, std::uint32_t most) {
+    CAPTURE(scene.id);
+    return BesideTheStepper(test::sceneNamed(scene.id), test::withStartOf(scene, params))
+        .compare(most);
+}
+
 }  // namespace
+
+TEST_CASE("After each stage the replayed neighbor ring is that of the stepper") {
+    int compared = 0;
+    for (const std::string rules : {"paper", "printed", "corrected", "robust"}) {
+        CAPTURE(rules);
+        test::forEachScene([&](const Scene& scene) {
+            compared += compareRings(scene, *paramsByName(rules), 1000);
+        });
+    }
+    CHECK(compared > 100000);
+}
+
+TEST_CASE("The replayed neighbor ring is that of the stepper by every value of a rule") {
+    for (const std::string base : {"paper", "robust"}) {
+        test::forEachPaperRule(
+            *paramsByName(base), [&](const Params& params, const std::string& rule) {
+                CAPTURE(base);
+                CAPTURE(rule);
+                for (const char* id : {"four-edge-hole", "wrong-lists", "figure-14", "figure-18",
+                                       "tee-at-wall", "long-lists", "small-sheet"})
+                    compareRings(*findScene(id), params, 200);
+            });
+    }
+}
 
 TEST_CASE("The last event of every pivot shows the state after it") {
     for (const char* scene : {"sphere", "torus", "sheet"}) {

@@ -38,7 +38,10 @@ bool insertThird(AnyContext auto& context, InsertEvidence evidence, Index third,
         evidence.third = third;
         evidence.verdict = before ? Verdict::Before : Verdict::After;
     }
-    note(context, Stage::Insert, [&] { return evidence; });
+    note(context, Stage::Insert, [&] {
+        evidence.sectorDegrees = sectorDegrees(context, context.state.pivot.pivot);
+        return evidence;
+    });
     return third != kNone;
 }
 

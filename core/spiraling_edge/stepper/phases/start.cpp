@@ -120,11 +120,15 @@ void notePivot(AnyContext auto& context) {
         const Index entry = context.state.pivot.pivot;
         return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
                              rings.point(rings.next(entry)), rings.length(rings.active()),
-                             sectorAt(context, entry).last.degrees()};
+                             sectorDegrees(context, entry)};
     });
 }
 
 }  // namespace
+
+double sectorDegrees(const StepContext& context, Index entry) {
+    return sectorAt(context, entry).last.degrees();
+}
 
 void phaseSeed(AnyContext auto& context) {
     State& s = context.state;

@@ -228,7 +228,8 @@ void phaseFill(AnyContext auto& context) {
                             s.rings.point(s.pivot.last),
                             s.rings.length(s.rings.active()),
                             std::acos(std::clamp(ear.cosine, -1.0, 1.0)) * kDegrees,
-                            ear.faulty()};
+                            ear.faulty(),
+                            s.pivot.lastAngle.degrees()};
     });
     s.phase = Phase::Emit;
 }
