@@ -257,10 +257,12 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows&
     out.row("its first, last", pointsText({e.succ, e.pred}, in.names));
     out.row("its sector", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
     out.row("pivot seen at", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
-    const bool inside = e.degrees < e.limitDegrees;
+    // By the verdict where the test decided: the angles shown are rounded.
+    const bool inside = e.verdict == Verdict::Kept ||
+                        (e.verdict != Verdict::NotReciprocal && e.degrees < e.limitDegrees);
     // Outside: either way around to the sector.
-    const double margin = inside ? std::min(e.degrees, e.limitDegrees - e.degrees)
-                                 : std::min(360.0 - e.degrees, e.degrees - e.limitDegrees);
+    const double fromStart = inside ? e.degrees : std::min(e.degrees, 360.0 - e.degrees);
+    const double margin = std::min(fromStart, std::abs(e.limitDegrees - e.degrees));
     out.row("margin", degreesText(margin) + (inside ? " inside" : " outside"));
     if (e.verdict == Verdict::WallComplete) {
         out.row("but", "both its ring neighbors share its wall");

@@ -13,15 +13,19 @@ namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 
+/// A margin with the sign of the decision. Decisions compare numbers without an arccosine or a
+/// root, so that those shown may differ from them by rounding.
+double signedBy(bool taken, double margin) { return taken ? std::abs(margin) : -std::abs(margin); }
+
 /// An angle in a sector from 0 to `end` (degrees, below 360), compared with the nearer of its two
 /// limits. Angles beyond the end wrap at 360.
-Reading inSector(double degrees, double end) {
-    const bool inside = degrees < end;
-    const double toEnd = inside ? end - degrees : degrees - end;
-    const double toStart = inside ? degrees : 360.0 - degrees;
-    const double margin = std::min(toEnd, toStart) * (inside ? kRadians : -kRadians);
+Reading inSector(double degrees, double end, bool inside) {
+    const double fromStart = !inside && degrees > 180.0 ? degrees - 360.0 : degrees;
+    const double toEnd = std::abs(end - degrees);
+    const double toStart = std::abs(fromStart);
+    const double margin = signedBy(inside, std::min(toEnd, toStart) * kRadians);
     if (toEnd <= toStart) return {"angle", "deg", degrees, end, margin};
-    return {"angle", "deg", inside ? degrees : degrees - 360.0, 0.0, margin};
+    return {"angle", "deg", fromStart, 0.0, margin};
 }
 
 struct Reader {
@@ -34,12 +38,14 @@ struct Reader {
             return Reading{"angle", "deg", e.degrees, e.degrees, 0.0};
         const bool compared = e.verdict == Verdict::Kept || e.verdict == Verdict::NotBeforeEnd ||
                               e.verdict == Verdict::NotAfterStart;
-        // On a fresh ring of two the sector is the full turn, and nothing is outside.
-        if (!compared || e.endDegrees >= 360.0) return {};
-        return inSector(e.degrees, e.endDegrees);
+        // On a fresh ring of two the sector is the full turn, and nothing is outside; nor is it
+        // without PaperRules::maxAngle.
+        if (!compared || e.endDegrees >= 360.0 || !context.params.paper.maxAngle) return {};
+        return inSector(e.degrees, e.endDegrees, e.verdict == Verdict::Kept);
     }
     Found operator()(const LimitEvidence& e) const {
-        const bool decided = e.verdict == Verdict::Moved || e.verdict == Verdict::NotConcave;
+        const bool decided = context.params.paper.concave &&
+                             (e.verdict == Verdict::Moved || e.verdict == Verdict::NotConcave);
         if (!decided || context.pivot == kNone) return {};
         const Vec3& s = context.points.position[e.from];
         const double size = glm::length(context.points.position[e.to] - s) *
@@ -49,10 +55,11 @@ struct Reader {
     }
     Found operator()(const ReciprocalEvidence& e) const {
         if (e.verdict == Verdict::WallComplete || e.limitDegrees >= 360.0) return {};
-        return inSector(e.degrees, e.limitDegrees);
+        return inSector(e.degrees, e.limitDegrees, e.verdict == Verdict::Kept);
     }
     Found operator()(const HoleEvidence& e) const {
-        if (e.point == kNone || context.pivot == kNone) return {};
+        // A pivot on the plane has no side.
+        if (e.point == kNone || context.pivot == kNone || e.pivotSide == 0.0) return {};
         const double size =
             glm::length(e.planeNormal) *
             glm::length(context.points.position[e.point] - context.points.position[context.pivot]);
@@ -65,15 +72,21 @@ struct Reader {
         const double far =
             glm::length(context.points.position[e.q] - context.points.position[context.pivot]);
         if (!(far > 0.0)) return {};
+        const bool inside = e.verdict == Verdict::InsideSphere;
         const Reading sphere{"distance from the center", "", e.distance, e.radius,
-                             (e.radius - e.distance) / far};
+                             signedBy(inside, (e.radius - e.distance) / far)};
         const double limit = std::acos(context.params.maxGapCosine) / kRadians;
-        const Reading gap{"gap", "deg", e.gapDegrees, limit, (e.gapDegrees - limit) * kRadians};
+        const double over = (e.gapDegrees - limit) * kRadians;
+        // The gap of a point inside the sphere is not tested.
+        const Reading gap{"gap", "deg", e.gapDegrees, limit,
+                          inside ? over : signedBy(e.verdict == Verdict::GapTooWide, over)};
         // Kept if either test keeps it: the larger margin decides.
         return gap.margin > sphere.margin ? gap : sphere;
     }
     Found operator()(const TwoPointEvidence& e) const {
-        return Reading{"angle", "deg", e.degrees, 180.0, (180.0 - e.degrees) * kRadians};
+        if (context.params.paper.twoPoint == TwoPointRule::None) return {};
+        return Reading{"angle", "deg", e.degrees, 180.0,
+                       signedBy(isTaken(e.verdict), (180.0 - e.degrees) * kRadians)};
     }
     template <typename Other>
     Found operator()(const Other&) const {

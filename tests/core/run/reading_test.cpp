@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
+#include "support/clouds.h"
 #include "support/oracles.h"
-#include "support/rig.h"
+#include "support/rule_values.h"
 
 using namespace se;
 using namespace se::test;
@@ -24,6 +27,25 @@ Reading reading(const Evidence& evidence) {
     return *found;
 }
 double inDegrees(double radians) { return radians * 180.0 / kPi; }
+
+/// Checks the sign of each margin in a run of a scene. Returns the number of margins that are not
+/// 0.
+int checkSigns(const Scene& scene, Params params) {
+    CAPTURE(scene.id);
+    params = withStartOf(scene, params);
+    const SharedPoints points = turnedPoints(sceneNamed(scene.id), params);
+    int checked = 0;
+    Index pivot = kNone;
+    for (const Event& event : eventsOf(sceneNamed(scene.id), params)) {
+        if (const auto* begun = as<PivotEvidence>(event)) pivot = begun->pivot;
+        const auto reading = readingOf(event, {*points, params, pivot});
+        if (!reading || reading->margin == 0.0) continue;
+        CAPTURE(toString(event.address));
+        CHECK((reading->margin > 0.0) == (outcomeOf(event) == Outcome::Taken));
+        ++checked;
+    }
+    return checked;
+}
 
 }  // namespace
 
@@ -76,4 +98,30 @@ TEST_CASE("reading: a point that is DONE, or an end of the sector, was settled b
     CHECK(settled(Verdict::OnRingEnd));
     CHECK_FALSE(settled(Verdict::NotBeforeEnd));
     CHECK_FALSE(settled(Verdict::SameAngle));
+}
+
+TEST_CASE("reading: a margin is above 0 where the point is taken, below 0 where it is not") {
+    int checked = 0;
+    for (const std::string rules : {"paper", "printed", "corrected", "robust"}) {
+        CAPTURE(rules);
+        forEachScene(
+            [&](const Scene& scene) { checked += checkSigns(scene, *paramsByName(rules)); });
+    }
+    CHECK(checked > 100000);
+}
+
+TEST_CASE("reading: a margin has the sign of the outcome by every value of a rule") {
+    forEachPaperRule(paper(), [](const Params& params, const std::string& rule) {
+        CAPTURE(rule);
+        for (const char* id : {"four-edge-hole", "figure-14", "close-sheets", "grid", "torus"})
+            checkSigns(*findScene(id), params);
+    });
+}
+
+TEST_CASE("reading: a pivot on the plane of a hole has no side to be on") {
+    const PointSet points = four();
+    const Params params = paper();
+    const Event event{{1, Stage::Hole, 1},
+                      HoleEvidence{1, Vec3(0, 2, 0), 0.3, 0.0, Verdict::FarSide}};
+    CHECK_FALSE(readingOf(event, {points, params, 0}).has_value());
 }
