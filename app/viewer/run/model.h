@@ -141,8 +141,8 @@ inline float sizeOnMesh(const Model& model, const FaultPlace& place) {
 /// under test, if there is one.
 std::vector<Index> neighborhoodOf(const DecisionState& picture);
 
-/// True if the test of §6.1 (Fig. 4) went so far that the angle and the turn of the next point on
-/// the ring are known: otherwise both are 0 in the evidence.
+/// True if the test of §6.1 (Fig. 4) went so far that it needed the angle and the turn of the next
+/// point on the ring.
 bool isMeasured(const LimitEvidence& e);
 
 }  // namespace se::view

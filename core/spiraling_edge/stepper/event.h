@@ -249,7 +249,7 @@ struct HoleEvidence {
 struct SphereEvidence {
     Index t, q, s;            ///< q: tested; t, s: its neighbors on the neighbor ring.
     Vec3 center;              ///< Of the circumsphere of the pivot, s and t.
-    double radius, distance;  ///< `distance`: of q from the center.
+    double radius, distance;  ///< `distance`: of q from the center; both 0 without a circle.
     double gapDegrees;        ///< Angle from t to s.
     Verdict verdict;          ///< InsideSphere, GapTooWide, NoCircle, Removed
 };

@@ -67,6 +67,16 @@ TEST_CASE("6.1 start and end stay where the next ring point is not among p's nei
     CHECK(rig.verdictOn<LimitEvidence>(5) == Verdict::NotListed);
 }
 
+TEST_CASE("6.1 the log has turn and angle of a point that no test needed them for") {
+    Rig rig(bay());
+    rig.list(0, {1, 2, 7}).ring(kBayRing).runTo(Phase::Convex);
+    const LimitEvidence start = rig.all<LimitEvidence>().front();
+    REQUIRE(start.verdict == Verdict::NotListed);
+    REQUIRE(start.to == 5);
+    CHECK(start.turn == testConcave(bay()[1], Vec3(0, 0, 1), bay()[5], bay()[0]).turn);
+    CHECK(start.toDegrees == doctest::Approx(turnDegrees(bay()[1], bay()[5])));
+}
+
 TEST_CASE("6.1 start and end stay where the ring is convex") {
     // A pivot with 300 degrees free; 5 is listed, inside the limits, and beyond first.
     Rig rig({Vec3(0), polar(0), polar(300), {9, -9, 0}, {9, 9, 0}, {-0.2, -1, 0}, polar(90)});

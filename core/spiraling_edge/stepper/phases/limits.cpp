@@ -73,7 +73,6 @@ struct LimitTest {
     Verdict verdict;
     Index to = kNone;  ///< Entry.
     Angle angle{};     ///< Angle of `to`, where it was needed.
-    double turn = 0.0;
     Index blocker = kNone;
 };
 
@@ -94,7 +93,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     if (!kEveryTest && !mayMove) return {Verdict::NotConcave, to};
     if (!context.points.neighbors.has(s.rings.point(n.pivot), s.rings.point(to)))
         return {Verdict::NotListed, to};
-    LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin), concave.turn};
+    LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin)};
     if (!strictlyBetween(test.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
         test.verdict = Verdict::Outside;
     } else if (!mayMove) {
@@ -123,17 +122,18 @@ Verdict verdictBeyond(Verdict stayed) {
     }
 }
 
-/// Recomputes the test for the log.
+/// Recomputes the test for the log, with the numbers that it did not need as well.
 LimitEvidence explainLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const bool atStart = side == Side::Start;
     const LimitTest test = testLimit<true>(context, side);
+    const Vec3 offset = context.positionAt(test.to) - s.pivot.frame.origin;
     return {side,
             s.rings.point(atStart ? s.pivot.start : s.pivot.end),
             s.rings.point(test.to),
-            test.turn,
+            concaveAt(context, side).turn,
             (atStart ? s.pivot.startAngle : s.pivot.endAngle).degrees(),
-            test.angle.degrees(),
+            angleOf(s.pivot.frame, offset).degrees(),
             test.verdict,
             test.blocker};
 }
