@@ -34,7 +34,7 @@ Index subjectOf(const Event& event);
 bool hasSphere(const SphereEvidence& evidence);
 
 /// The number that decided. Decisions that compare nothing, such as "is DONE", have none, nor do
-/// those of a what-if.
+/// those of a what-if, or of numbers that a rule leaves out.
 struct Reading {
     std::string_view quantity;  ///< "angle", "distance from the center"
     std::string_view unit;      ///< "deg", or empty: scene units.

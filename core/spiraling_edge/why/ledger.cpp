@@ -268,8 +268,13 @@ class FilledGaps {
             const auto* pivot = as<PivotEvidence>(event);
             const auto* sort = as<SortEvidence>(event);
             const auto* emit = as<EmitEvidence>(event);
+            const auto* insert = as<InsertEvidence>(event);
             if (pivot != nullptr) {
                 angles_ = {{pivot->last, pivot->sectorDegrees}, {pivot->first, 0.0}};
+            } else if (insert != nullptr) {
+                angles_.front().second = insert->sectorDegrees;
+                if (insert->third != kNone)
+                    angles_[insert->verdict == Verdict::Before ? 1 : 0].first = insert->third;
             } else if (sort != nullptr && !wasSettledBefore(event)) {
                 angles_.emplace_back(sort->point, sort->degrees);
             } else if (emit != nullptr && holds(emit->corners, subject)) {

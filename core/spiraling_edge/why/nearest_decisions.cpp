@@ -185,6 +185,9 @@ class Shortlist {
             if (const auto* p = as<PivotEvidence>(event)) {
                 first = p->first;
                 last = p->last;
+            } else if (const auto* insert = as<InsertEvidence>(event);
+                       insert != nullptr && insert->third != kNone) {
+                (insert->verdict == Verdict::Before ? first : last) = insert->third;
             }
             const auto reading = readingOf(event, {*points_, params_, pivot.point});
             if (!reading) continue;

@@ -249,3 +249,32 @@ TEST_CASE("ledger: invalid subjects") {
     CHECK_FALSE(why({}, paper(), Subject::point(0)).ok());
     CHECK_FALSE(why(points, paper(), Subject::point(0), [](double) { return false; }).ok());
 }
+
+TEST_CASE("ledger: a triangle of a third point names the test of first and last that made it") {
+    const PointSet points = sceneNamed("figure-14");
+    const Params params = paper();
+    const Event* insert = nullptr;
+    const Event* alone = nullptr;
+    int asked = 0;
+    const std::vector<Event> events = eventsOf(points, params);
+    for (const Event& event : events) {
+        const auto isHere = [&](const Event* other) {
+            return other != nullptr && other->address.pivot == event.address.pivot;
+        };
+        if (const auto* e = std::get_if<InsertEvidence>(&event.evidence))
+            insert = e->third != kNone ? &event : nullptr;
+        if (std::holds_alternative<TwoPointEvidence>(event.evidence)) alone = &event;
+        const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+        if (emit == nullptr || !isHere(insert) || !isHere(alone)) continue;
+        const Triangle& t = emit->corners;
+        const Ledger ledger = ask(points, params, Subject::triangle(t.a, t.b, t.c));
+        CAPTURE(ledger.answer);
+        const auto line = std::find_if(
+            ledger.lines.begin(), ledger.lines.end(),
+            [&](const LedgerLine& each) { return each.event.address == alone->address; });
+        REQUIRE(line != ledger.lines.end());
+        CHECK(line->role == LineRole::Indirect);
+        ++asked;
+    }
+    CHECK(asked > 0);
+}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "spiraling_edge/run/timeline.h"
 #include "support/clouds.h"
@@ -73,6 +74,27 @@ TEST_CASE("closest calls: by margin, and the moves are as small as the margins")
         CHECK(glm::length(decision.move.by) <= 10.0 * margin * arm + 1e-8);
         CHECK(decisions.leastMargin[testedPoint(decision.event)] <= margin);
     }
+}
+
+TEST_CASE("closest calls: where a third point of 7 is first or last, angles begin or end at it") {
+    const PointSet points = sceneNamed("sheet");
+    const Params params = paper();
+    std::set<std::uint32_t> pivots;
+    for (const Event& event : eventsOf(points, params)) {
+        const auto* insert = std::get_if<InsertEvidence>(&event.evidence);
+        if (insert != nullptr && insert->third != kNone) pivots.insert(event.address.pivot);
+    }
+    int seen = 0;
+    for (const NearestDecision& decision : nearestOf(points, params, 400).decisions) {
+        if (!pivots.contains(decision.event.address.pivot)) continue;
+        CAPTURE(describe(decision.event));
+        const double arm =
+            glm::length(points.position[decision.move.point] - points.position[decision.pivot]);
+        CHECK(glm::length(decision.move.by) <=
+              10.0 * std::abs(decision.reading.margin) * arm + 1e-8);
+        ++seen;
+    }
+    CHECK(seen > 3);
 }
 
 TEST_CASE("closest calls: the least margin of a point is that of all its tests, near either side") {
