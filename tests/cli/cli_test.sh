@@ -480,15 +480,15 @@ check_fails_where_there_is_no_mesh() {
 
 faults_and_places_are_counted_alike() {
     expect 1 run scene:uneven-density --check --report report.json -o mesh.ply
-    says err "the mesh has faults at 6 places: 3 of lost points, "
+    says err "the mesh has faults at 6 places: 1 of holes, 3 of lost points, "
     is "$(number places_total report.json)" 6 "places of the report"
     expect 1 check mesh.ply
-    says out "6 places: 3 of lost points, "
+    says out "6 places: 1 of holes, 3 of lost points, "
     says out "#2 2 lost points; at ("
     expect 1 check mesh.ply --json
     is "$(number places_total out)" 6 "places of check"
     expect 0 why scene:uneven-density --failures --most 1
-    [[ $(head -1 out) = "6 places: 3 of lost points, "* ]] || fail "why: $(head -1 out)"
+    [[ $(head -1 out) = "6 places: 1 of holes, 3 of lost points, "* ]] || fail "why: $(head -1 out)"
     says out "#1 1 hole of 5 edges, "
     says out "... and 5 more by --json"
     expect 0 why scene:uneven-density --failures --json
@@ -1580,9 +1580,9 @@ check_says_what_is_wrong_with_a_mesh() {
     printf 'NOFF\n5 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n9 9 0 0 0 1\n3 0 1 2\n3 0 2 3\n' >lost.off
     expect 1 check lost.off
     says out "1 isolated_point"
-    says out "lost.off: 2 triangles, 1 place: 1 of isolated points; 1 point lost"
+    says out "lost.off: 2 triangles, 1 place: 1 of isolated points"
     expect 0 check lost.off --allow isolated_points
-    says out "lost.off: 2 triangles, 1 place: 1 of isolated points; 1 point lost, allowed"
+    says out "lost.off: 2 triangles, 1 place: 1 of isolated points, allowed"
     says out "#1 1 isolated point; at (9, 9, 0)"
     printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
     expect 1 check twice.off --json

@@ -89,17 +89,30 @@ std::vector<std::size_t> worstClasses(std::span<const MeshFailure> failures,
 }
 
 constexpr VerdictCount kCounts[] = {
-    {"points_lost", "point lost", "points lost", [](const MeshVerdict& v) { return v.lost; }},
+    {"points_lost",
+     "point lost",
+     "points lost",
+     [](const MeshVerdict& v) { return v.lost; },
+     {"lost_points", "isolated_points"}},
     {"extra_pieces", "piece torn off", "pieces torn off",
      [](const MeshVerdict& v) { return v.extraPieces(); }},
-    {"hole_edges", "edge of a hole", "edges of holes",
-     [](const MeshVerdict& v) { return v.holeEdges; }},
-    {"openings_closed", "opening closed", "openings closed",
+    {"hole_edges",
+     "edge of a hole",
+     "edges of holes",
+     [](const MeshVerdict& v) { return v.holeEdges; },
+     {"holes"}},
+    {"openings_closed", "opening of the scan closed", "openings of the scan closed",
      [](const MeshVerdict& v) { return v.closed; }},
-    {"triangles_against_normals", "triangle against the normals", "triangles against the normals",
-     [](const MeshVerdict& v) { return v.against; }},
-    {"pieces_facing_in", "piece facing in", "pieces facing in",
-     [](const MeshVerdict& v) { return v.facingIn; }},
+    {"triangles_against_normals",
+     "triangle against the normals",
+     "triangles against the normals",
+     [](const MeshVerdict& v) { return v.against; },
+     {"flipped_triangles"}},
+    {"pieces_facing_in",
+     "piece facing in",
+     "pieces facing in",
+     [](const MeshVerdict& v) { return v.facingIn; },
+     {"inward_pieces"}},
     {"points_not_covered", "point not covered", "points not covered",
      [](const MeshVerdict& v) { return v.uncovered; }},
 };
@@ -147,6 +160,12 @@ JudgedMesh judgeMesh(const PointSet& points, std::span<const Triangle> triangles
 
 std::span<const VerdictCount> verdictCounts() { return kCounts; }
 
+bool isCounted(const FailureClass& kind) {
+    return rowWhere(kCounts, [&](const VerdictCount& count) {
+               return isAmong(kind.name, count.classes);
+           }) != nullptr;
+}
+
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
     if (other.triangles == 0 && mesh.triangles > 0) return nullptr;
     return rowWhere(kCounts,
@@ -170,29 +189,36 @@ bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other) {
     return hasFewerFaults(mesh, other) && worseIn(mesh, other) == nullptr;
 }
 
+std::string placesText(const MeshVerdict& verdict) {
+    return counted(verdict.places, "place") + (verdict.allPlaces ? "" : " or more");
+}
+
 std::string headlineOf(const MeshVerdict& verdict) {
     if (verdict.stopped) return "stopped: too many triangles";
     if (verdict.isSound()) return "sound";
     if (verdict.triangles == 0) return "not sound: no triangle";
     if (verdict.places == 0) return "no fault found, but the search ended early";
-    std::string text = (verdict.allPlaces ? "" : "at least ") + counted(verdict.places, "place");
     std::vector<std::size_t> classes;
     for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
         if (verdict.placesOf[i] > 0) classes.push_back(i);
     }
-    std::stable_sort(classes.begin(), classes.end(), [&](std::size_t a, std::size_t b) {
-        return verdict.placesOf[a] > verdict.placesOf[b];
+    std::stable_sort(classes.begin(), classes.end(), [](std::size_t a, std::size_t b) {
+        return failureClasses()[a].severity < failureClasses()[b].severity;
     });
     constexpr std::size_t kNamedClasses = 3;
+    std::string text = placesText(verdict);
     std::size_t others = verdict.places;
+    const VerdictCount& lost = *findNamed(kCounts, "points_lost");
+    bool namesLost = false;
     for (std::size_t i = 0; i < std::min(classes.size(), kNamedClasses); ++i) {
+        const FailureClass& kind = failureClasses()[classes[i]];
         const std::size_t count = verdict.placesOf[classes[i]];
         others -= count;
-        text += (i == 0 ? ": " : ", ") + std::to_string(count) + " of " +
-                nounFor(failureClasses()[classes[i]], 2);
+        namesLost |= isAmong(kind.name, lost.classes);
+        text += (i == 0 ? ": " : ", ") + std::to_string(count) + " of " + nounFor(kind, 2);
     }
     if (others > 0) text += ", " + counted(others, "other");
-    if (verdict.lost > 0) text += "; " + counted(verdict.lost, "point") + " lost";
+    if (verdict.lost > 0 && !namesLost) text += "; " + counted(verdict.lost, "point") + " lost";
     return text;
 }
 

@@ -2,9 +2,11 @@
 /// every program, panel and comparison.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/mesh/fault_places.h"
@@ -75,10 +77,13 @@ struct VerdictCount {
     std::string_view singular;  ///< "point lost".
     std::string_view plural;    ///< "points lost".
     std::size_t (*of)(const MeshVerdict& verdict);
+    std::array<std::string_view, 2> classes = {};  ///< The classes of faults that it counts.
 };
 /// Points lost, pieces beyond those of the points, edges of holes, openings closed, triangles
 /// against given normals, pieces that face in, points not covered.
 std::span<const VerdictCount> verdictCounts();
+/// True for a class of faults that one of verdictCounts() counts, or the edges of.
+bool isCounted(const FailureClass& kind);
 /// The first count in which a mesh is worse than another of the same points; null: in none. No mesh
 /// with triangles is worse than one without.
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other);
@@ -92,8 +97,11 @@ bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other);
 /// no count.
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other);
 
-/// "sound", "not sound: no triangle", "73 places: 34 of crossing sheets, 11 of holes; 82 points
-/// lost", "no fault found, but the search ended early", "stopped: too many triangles".
+/// "73 places", "73 places or more".
+std::string placesText(const MeshVerdict& verdict);
+/// "sound", "not sound: no triangle", "73 places: 11 of holes, 34 of intersecting pairs; 82 points
+/// lost" with the most severe classes first, "no fault found, but the search ended early",
+/// "stopped: too many triangles".
 std::string headlineOf(const MeshVerdict& verdict);
 
 }  // namespace se

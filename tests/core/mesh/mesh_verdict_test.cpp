@@ -56,7 +56,8 @@ MeshVerdict withPlaces(std::size_t places) {
 
 }  // namespace
 
-TEST_CASE("verdict: the headline counts places, by their worst class, and points lost") {
+TEST_CASE(
+    "verdict: the headline counts places by their worst class, holes first, and points lost") {
     CHECK(headlineOf(withPlaces(0)) == "sound");
     CHECK(headlineOf(withPlaces(1)) == "1 place: 1 of holes");
     MeshVerdict verdict = withPlaces(2);
@@ -64,9 +65,16 @@ TEST_CASE("verdict: the headline counts places, by their worst class, and points
     verdict.placesOf[static_cast<std::size_t>(pairs)] = 5;
     verdict.places = 7;
     verdict.lost = 82;
-    CHECK(headlineOf(verdict) == "7 places: 5 of intersecting pairs, 2 of holes; 82 points lost");
+    CHECK(headlineOf(verdict) == "7 places: 2 of holes, 5 of intersecting pairs; 82 points lost");
+    CHECK(placesText(verdict) == "7 places");
     verdict.allPlaces = false;
-    CHECK(headlineOf(verdict).starts_with("at least 7 places: "));
+    CHECK(headlineOf(verdict).starts_with("7 places or more: "));
+    CHECK(placesText(verdict) == "7 places or more");
+    // Lost points are said once.
+    const auto lost = findFailureClass("lost_points") - failureClasses().data();
+    verdict.placesOf[static_cast<std::size_t>(lost)] = 1;
+    verdict.places = 8;
+    CHECK(headlineOf(verdict).ends_with(": 2 of holes, 1 of lost points, 5 of intersecting pairs"));
     verdict.stopped = true;
     CHECK(headlineOf(verdict) == "stopped: too many triangles");
     MeshVerdict nothing = withPlaces(0);
@@ -76,6 +84,21 @@ TEST_CASE("verdict: the headline counts places, by their worst class, and points
     early.totals[static_cast<std::size_t>(pairs)].exact = false;
     CHECK(headlineOf(early) == "no fault found, but the search ended early");
     CHECK_FALSE(early.isSound());
+}
+
+TEST_CASE("verdict: faults are counted in one of the counts, or by their class") {
+    for (const char* name :
+         {"holes", "lost_points", "isolated_points", "flipped_triangles", "inward_pieces"})
+        CHECK(isCounted(*findFailureClass(name)));
+    for (const char* name : {"second_layers", "intersecting_triangles", "non_manifold_edges"})
+        CHECK_FALSE(isCounted(*findFailureClass(name)));
+    // Every name is that of a class of faults.
+    for (const VerdictCount& count : verdictCounts()) {
+        for (const std::string_view name : count.classes) {
+            CAPTURE(count.name);
+            if (!name.empty()) CHECK(findFailureClass(name)->fault);
+        }
+    }
 }
 
 TEST_CASE("verdict: better is worse in no count, with faults at fewer places") {
