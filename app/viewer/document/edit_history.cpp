@@ -68,7 +68,7 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (a.whatIf != b.whatIf)
         add(text, "what-if");
     else if (a.rules != b.rules)
-        add(text, "rules " + b.rules);
+        add(text, b.rules + " rules");
     else
         add(text, rules.size() == 1 ? "rule " + rules.front().name : "rules");
     return text;
@@ -111,7 +111,10 @@ std::optional<UndoStack::Step> UndoStack::step(const Edits& now, std::vector<Edi
     if (from.empty()) return std::nullopt;
     to.push_back(std::exchange(present_, from.back()));
     from.pop_back();
-    return Step{present_, describeChange(to.back(), present_)};
+    // Named is what was done once, or is done again: not the way back.
+    const bool undone = &to == &future_;
+    return Step{present_,
+                undone ? describeChange(present_, to.back()) : describeChange(to.back(), present_)};
 }
 
 Annotations annotationsOf(const UiState& ui) {

@@ -213,11 +213,12 @@ std::string describe(const SamePosition& place, const Address& landed) {
     const std::string was = toString(place.from.address);
     const std::string now = toString(landed);
     const std::string part = std::to_string(place.part);
-    if (place.kind == SamePosition::Kind::Start) return "At the start of the new run.";
-    if (place.kind == SamePosition::Kind::End) return "At the end of the new run.";
+    if (place.kind == SamePosition::Kind::Start) return "The new run is at its start.";
+    if (place.kind == SamePosition::Kind::End) return "The new run is at its end.";
     if (place.kind == SamePosition::Kind::Same) {
-        if (was == now && place.part == 0) return "Same place: no difference before it.";
-        if (was == now) return "Same place; the runs diverge at pivot " + part + ".";
+        if (was == now && place.part == 0)
+            return "This is the same decision; the runs do not differ before it.";
+        if (was == now) return "This is the same address; the runs diverge at pivot " + part + ".";
         return "Same pivot, point " + std::to_string(place.point) + ": " + was + " is now " + now +
                "; the runs diverge at pivot " + part + ".";
     }

@@ -126,12 +126,21 @@ TEST_CASE("Every kind of change has a name") {
     CHECK(describeChange(to, noted) == "note of a bookmark");
     Edits ruled = from;
     ruled.input.rules = "robust";
-    CHECK(describeChange(from, ruled) == "rules robust");
+    CHECK(describeChange(from, ruled) == "robust rules");
     Edits prepared = ruled;
     prepared.input.neighbors.reach = KNearest{10};
     CHECK(describeChange(ruled, prepared) == "preparation of the points");
     prepared.input.fixes = {"noise"};
     CHECK(describeChange(ruled, prepared) == "the doctor's fix");
+}
+
+TEST_CASE("Undo names the change that it takes back, redo the same one") {
+    Bench b;
+    b.now.input.rules = "robust";
+    b.look();
+    CHECK(b.undo() == "robust rules");
+    CHECK(b.now.input.rules == "paper");
+    CHECK(b.redo() == "robust rules");
 }
 
 TEST_CASE("Breakpoints and watches are undone and redone") {
