@@ -32,6 +32,7 @@ std::string behindTheList(const FoundDecisions& found, const Session& session) {
 /// Shows the panel Ledger for a query about something else than the selection.
 void showLedger(CommandContext& c) {
     c.ui.ledger.seen = c.session.selection();
+    c.ui.ledger.asked.reset();
     c.ui.ledger.complaint.clear();
     actions::showPart(c, kLedgerPart);
 }
@@ -49,6 +50,7 @@ void askWhy(CommandContext& c, const Selection& what) {
         return c.compare.askWhy(what);
     }
     c.ui.ledger.seen = what;
+    c.ui.ledger.asked = c.session.address();
     c.ui.ledger.complaint.clear();
     showPart(c, kLedgerPart);
     const Questions& questions = c.session.questions();

@@ -121,6 +121,8 @@ struct LedgerPanel {
     std::string typed;      ///< Text in the box.
     std::string complaint;  ///< Error of the typed text.
     Selection seen;         ///< Selection when the panel was drawn last.
+    std::optional<Address>
+        asked;  ///< The decision at the cursor when the selection was asked about.
     bool wantsKeyboard = false;
     LineList list;
 };

@@ -11,6 +11,7 @@
 #include "rows/evidence_rows.h"
 #include "run/strings.h"
 #include "session/session.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 
@@ -46,37 +47,56 @@ void drawEmpty(const PanelContext& context) {
     dimText("Type ring for the cause of the active ring, ring #2 for the second on the stack.");
 }
 
-void drawAnswer(const PanelContext& context, const Ledger& ledger) {
-    ImGui::Spacing();
-    wrappedText(withShortNumbers(ledger.answer));
-    if (context.session().questions().isProving()) dimText("Looking for a proof ...");
-    if (!ledger.inversions.empty()) {
-        RunSpec inverted = context.session().input().rules();
-        for (const WhatIf& each : ledger.inversions) {
-            dimText("Inverted: " + lineOf(each));
-            inverted = withWhatIf(inverted, each);
-        }
-        if (const RuleSetting* rule = ledger.undoneBy) {
-            dimText("Switched off: " + std::string(rule->name));
-            inverted = withRule(inverted, rule->name, 0.0);
-        }
-        ImGui::SameLine();
-        if (smallButton(context, "Invert", "ledger invert",
-                        "Run again with what is said here inverted, as a what-if"))
-            return context.document().rerun(inverted);
+/// The answer of a ledger after the sentence of the decision that it was asked at, if that tested
+/// the subject and is not the cause.
+std::string answerAt(const std::optional<Address>& asked, const Ledger& ledger) {
+    for (std::size_t i = 0; i < ledger.lines.size() && asked; ++i) {
+        const LedgerLine& line = ledger.lines[i];
+        const bool tests = line.role == LineRole::Taken || line.role == LineRole::Refused;
+        if (line.event.address == *asked && tests && i != ledger.cause)
+            return describe(line.event) + " (" + toString(*asked) + ")\n" + ledger.answer;
     }
+    return ledger.answer;
+}
+
+/// What is inverted in the proof, with a button that runs again so. True if it does.
+bool drawInversions(const PanelContext& context, const Ledger& ledger) {
+    if (ledger.inversions.empty()) return false;
+    RunSpec inverted = context.session().input().rules();
+    for (const WhatIf& each : ledger.inversions) {
+        dimText("Inverted: " + lineOf(each));
+        inverted = withWhatIf(inverted, each);
+    }
+    if (const RuleSetting* rule = ledger.undoneBy) {
+        dimText("Switched off: " + std::string(rule->name));
+        inverted = withRule(inverted, rule->name, 0.0);
+    }
+    sameLineFor({"Invert"});
+    const bool clicked = smallButton(context, "Invert", "ledger invert",
+                                     "Run again with what is said here inverted, as a what-if");
+    if (clicked) context.document().rerun(inverted);
+    return clicked;
+}
+
+void drawAnswer(const PanelContext& context, const Ledger& ledger) {
+    const std::string answer = answerAt(context.state<LedgerPanel>().asked, ledger);
+    ImGui::Spacing();
+    wrappedText(withShortNumbers(answer));
+    if (context.session().questions().isProving()) dimText("Looking for a proof ...");
+    if (drawInversions(context, ledger)) return;
     if (ledger.preventedBy && drawPreventing(context, *ledger.preventedBy)) return;
     const Address& cause = ledger.lines[ledger.cause].event.address;
     if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameRequest::Focus);
     if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));
-    ImGui::SameLine();
+    sameLineFor({"Copy as text"});
     if (ImGui::SmallButton("Copy as text")) {
-        ImGui::SetClipboardText(ledgerText(ledger.answer, ledger.lines, ledger.cause).c_str());
+        ImGui::SetClipboardText(ledgerText(answer, ledger.lines, ledger.cause).c_str());
         context.session().messages().say("Copied the answer and its " +
                                          grouped(ledger.lines.size()) + " lines.");
     }
     if (ImGui::IsItemVisible()) nameItem(context, "ledger copy");
     ImGui::Spacing();
+    const ScrolledBody body(context, "##ledgerBody");
     drawDecisionRows(context, {ledger.lines, context.state<LedgerPanel>().list, ledger.cause},
                      FrameRequest::Focus);
 }
@@ -91,6 +111,7 @@ void followSelection(const PanelContext& context) {
     if (alert != nullptr && subjectOf(*alert) == seen)
         return askInBackground(context.commands, *alert);
     if (seen.kind == SelectionKind::None || seen == session.questions().subject()) return;
+    context.state<LedgerPanel>().asked = session.address();
     session.questions().askWhy(seen);
 }
 
@@ -102,7 +123,6 @@ void drawLedger(const PanelContext& context) {
     Questions& questions = session.questions();
     partNote(questions.subjectName());
     drawQuestionBox(context);
-    const ScrolledBody body(context, "##ledgerBody");
     BackgroundQuery<Ledger>& ledger = questions.ledger();
     if (drawAsking(context, ledger)) return;
     if (!ledger.complaint().empty()) {

@@ -100,13 +100,16 @@ class RowDrawer {
         const Type type{em(), cause ? Typeface::Strong : Typeface::Text};
         const auto put = [&](const std::string& text, Color Palette::*color) {
             const float width = p.textSize(text, type).x;
-            if (x + width > right - 0.3F * em()) return;
+            if (x + width > right - 0.3F * em()) return false;
             p.text({x, at.y}, text, p.ink(color), type);
             x += width + 0.6F * em();
+            return true;
         };
         put(toString(line.event.address), &Palette::text);
+        // The mark shows the role as well.
+        if (cause && !put("\xE2\x97\x80 cause", &Palette::text))
+            put("\xE2\x97\x80", &Palette::text);
         if (line.role != LineRole::Fact) put(std::string(roleName(line.role)), look.color);
-        if (cause) put("\xE2\x97\x80 cause", &Palette::text);
     }
 
     /// The pivot, and the numbers; the margin, which rows are compared by, at the right
@@ -161,25 +164,31 @@ LinePosition positionOfCursor(const DecisionRows& rows, const Session& session) 
     return place;
 }
 
-/// Scrolls to the line that the cursor moves to; `top` is the position of the first one.
+/// Scrolls from `scroll` to a row at `y`, unless that is in sight then.
+void scrollTo(float y, float pitch, float scroll) {
+    const float height = ImGui::GetWindowHeight();
+    const bool inSight = y >= scroll && y + pitch <= scroll + height;
+    ImGui::SetScrollY(inSight ? scroll : std::max(0.0F, y - 0.4F * height));
+}
+
+/// Scrolls to the line that the cursor moves to, and to the decisive one of a new answer; `top` is
+/// the position of the first one.
 void follow(const PanelContext& context, const DecisionRows& rows, const LinePosition& place,
             float top, float pitch) {
     const Session& session = context.session();
     const bool moved =
         rows.list.watch.moved(session.generation(), session.record().pivot, session.cursor());
-    // A new answer is shown from its beginning.
     const void* answer = rows.lines.data();
     if (std::exchange(rows.list.answer, answer) != answer) {
         rows.list.settling = kSettlingFrames;
-        ImGui::SetScrollY(0.0F);
+        // Where the answer scrolls with its lines, it is to be read first.
+        const bool alone = top < pitch;
+        const std::size_t first = alone ? rows.cause.value_or(0) : 0;
+        scrollTo(static_cast<float>(first) * pitch, pitch, 0.0F);
     }
     if (rows.list.settling > 0) --rows.list.settling;
     if (!moved || !place.here || rows.list.settling > 0) return;
-    const float y = top + static_cast<float>(*place.here) * pitch;
-    const float height = ImGui::GetWindowHeight();
-    const float scroll = ImGui::GetScrollY();
-    if (y < scroll || y + pitch > scroll + height)
-        ImGui::SetScrollY(std::max(0.0F, y - 0.4F * height));
+    scrollTo(top + static_cast<float>(*place.here) * pitch, pitch, ImGui::GetScrollY());
 }
 
 }  // namespace
@@ -211,7 +220,7 @@ bool drawPreventing(const PanelContext& context, const FieldValue& change) {
                   context, "Run with " + wordsOf(SpecChange{change}), "change on",
                   "Prepare the points so, and run again: " + optionsOf(SpecChange{change}).front());
     if (again) runWith(context.commands, change);
-    ImGui::SameLine();
+    sameLineFor({"Compare"});
     if (smallButton(context, "Compare", "change beside",
                     "This run and the one with it side by side, at this position"))
         showBeside(context.commands, change);

@@ -27,8 +27,9 @@ struct DecisionRows {
     std::function<RowNote(std::size_t)> note = {};  ///< About a line; none by default.
 };
 
-/// Draws them below each other in the current window, which scrolls to the line of the cursor. A
-/// click goes to the decision of a line and frames `frame` there.
+/// Draws them below each other in the current window, which scrolls to the line of the cursor,
+/// and to the decisive one of a new list. A click goes to the decision of a line and frames `frame`
+/// there.
 void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameRequest frame);
 /// A part that scrolls by itself, so that the input above stays visible; in a low window
 /// the panel is scrolled as a whole.

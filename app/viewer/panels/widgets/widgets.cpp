@@ -156,6 +156,11 @@ float buttonsWidth(std::initializer_list<const char*> labels) {
     return width;
 }
 
+void sameLineFor(std::initializer_list<const char*> labels) {
+    ImGui::SameLine();
+    if (buttonsWidth(labels) > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+}
+
 bool enterPressed() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));

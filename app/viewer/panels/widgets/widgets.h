@@ -51,6 +51,8 @@ bool accentButton(const PanelContext& context, bool on, const std::string& label
                   const std::string& name, const std::string& tip = {}, float width = 0.0F);
 /// Width of buttons with these texts beside each other.
 float buttonsWidth(std::initializer_list<const char*> labels);
+/// Puts the next item beside the last one if buttons with these texts fit there, else below it.
+void sameLineFor(std::initializer_list<const char*> labels);
 /// Enter, also that of the number pad. Space is Dear ImGui's own key for the focused button.
 bool enterPressed();
 /// A bar of progress with a button after it, which has the rest of the line. `text`: on the bar;
