@@ -1858,7 +1858,7 @@ tangled_runs_end_soon() {
     expect 1 run t.ply --radius 1e300 --check --report report.json -q -o mesh.ply
     says report.json '"exact": false'
     expect 1 check mesh.ply
-    says out ", at least "
+    says out " or more: "
     says out "first 10000 of at least "
     expect 1 check mesh.ply --json
     says out '"intersecting_triangles": 10000'

@@ -38,6 +38,14 @@ std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
     return text + ".";
 }
 
+/// "is sound", "has faults at 3 places", in the tense of the two verbs.
+std::string stateText(const MeshVerdict& verdict, const std::string& is, const std::string& has) {
+    if (verdict.isSound()) return is + " sound";
+    if (verdict.triangles == 0) return has + " no triangle";
+    if (verdict.places == 0) return has + " no fault that was found";
+    return has + " faults at " + placesText(verdict);
+}
+
 /// Called when the alerts of an input are known. A newly opened input without any user action
 /// yet opens on its finished mesh if that has faults. True if it does.
 bool openOnVerdict(CommandContext& context) {
@@ -163,14 +171,24 @@ void nextPlace(CommandContext& context, int direction) {
 }
 
 std::string verdictText(const RunAlerts& alerts) {
-    if (alerts.sound()) return "the mesh is sound";
-    return headlineOf(alerts.found()->verdict);
+    const MeshVerdict& verdict = alerts.found()->verdict;
+    if (verdict.triangles == 0 || verdict.isSound())
+        return "the mesh " + stateText(verdict, "is", "has");
+    return (verdict.places > 0 ? "the mesh has faults at " : "") + headlineOf(verdict);
 }
 
 std::string verdictSentence(const RunAlerts& alerts) {
-    if (!alerts.place()) return "The run is finished: " + verdictText(alerts) + ".";
+    if (!alerts.place()) return "The run is finished; " + verdictText(alerts) + ".";
     return "Place " + grouped(*alerts.place() + 1) + " of " + grouped(alerts.places().size()) +
            ": " + describe(alerts.places()[*alerts.place()], alerts.found()->all) + ".";
+}
+
+std::string endText(const Session& session) {
+    const MeshVerdict& verdict = session.alerts().found()->verdict;
+    const std::string end = verdict.places > 0  ? placesText(verdict)
+                            : verdict.isSound() ? "sound"
+                                                : "no faults";
+    return (session.atEnd() ? "" : "at end: ") + end;
 }
 
 bool showsFinishedMesh(const CommandContext& context) {
@@ -294,7 +312,7 @@ void AlertsShown::poll() {
     const std::string& source = session.input().spec().source;
     const bool fresh = std::exchange(source_, source) != source;
     if (fresh) {
-        verdict_.clear();
+        verdict_.reset();
         c_.ui.verdict = {};
     }
     reportChange();
@@ -315,14 +333,18 @@ void AlertsShown::poll() {
 void AlertsShown::reportChange() {
     const RunAlerts& alerts = c_.session.alerts();
     if (!alerts.done()) return;
-    const std::string before = std::exchange(verdict_, verdictText(alerts));
+    const MeshVerdict& now = alerts.found()->verdict;
+    const std::optional<MeshVerdict> before = std::exchange(verdict_, now);
     const RunSpec rules = c_.session.input().spec();
     const bool sameRules = std::exchange(rules_, rules) == rules;
-    if (before.empty() || (before == verdict_ && sameRules)) return;
+    if (!before || (sameRules && headlineOf(*before) == headlineOf(now))) return;
     // The message about the position in the new run stays.
     const std::string said = c_.session.messages().last();
-    const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
-                                                  : "Now " + verdict_ + "; before, " + before + ".";
+    const std::string is = stateText(now, "is", "has");
+    const std::string change =
+        is == stateText(*before, "is", "has")
+            ? "As before, the mesh " + is + "."
+            : "The mesh now " + is + "; before, it " + stateText(*before, "was", "had") + ".";
     const char* look =
         c_.session.hasEarlierMesh() ? " Hold the back-quote key to see the mesh before." : "";
     c_.session.messages().say(said + (said.empty() ? "" : " ") + changeOfPlace(c_.session) +

@@ -40,11 +40,15 @@ void showPlace(CommandContext& context, std::size_t place);
 std::optional<std::size_t> alertAt(const RunAlerts& alerts, const Selection& what);
 /// The next (+1) or previous (-1) place, from the most severe on.
 void nextPlace(CommandContext& context, int direction);
-/// "44 faults at 12 places", "the mesh is sound". Requires a search that is done.
+/// "the mesh has faults at 12 places: 2 of holes, 10 of lost points", "the mesh is sound". Requires
+/// a search that is done.
 std::string verdictText(const RunAlerts& alerts);
-/// "Place 1 of 31: 1 hole of 3 edges." of the place that is shown, else "The run is finished: 44
-/// faults at 31 places." Requires a search that is done.
+/// "Place 1 of 31: 1 hole of 3 edges." of the place that is shown, else "The run is finished; the
+/// mesh is sound." Requires a search that is done.
 std::string verdictSentence(const RunAlerts& alerts);
+/// "3 places" with faults, "sound"; before the end of the run "at end: 3 places". Requires a
+/// search that is done.
+std::string endText(const Session& session);
 /// True where the finished mesh is shown with its faults, and without its last decision.
 bool showsFinishedMesh(const CommandContext& context);
 /// Runs the input again with a change, to its end: the place of the defect is visible there. If it
@@ -95,11 +99,11 @@ class AlertsShown {
     void showAsked();
 
     CommandContext& c_;
-    std::string asked_;        ///< By the command line, until it was shown.
-    std::string source_;       ///< The input of the last known alerts.
-    std::string verdict_;      ///< Of that input; empty before any was known.
-    RunSpec rules_;            ///< Of the last known alerts.
-    bool interactive_ = true;  ///< A user is present.
+    std::string asked_;                   ///< By the command line, until it was shown.
+    std::string source_;                  ///< The input of the last known alerts.
+    std::optional<MeshVerdict> verdict_;  ///< Of that input; empty before any was known.
+    RunSpec rules_;                       ///< Of the last known alerts.
+    bool interactive_ = true;             ///< A user is present.
     bool opened_ = false;
     Status status_ = success();
 };

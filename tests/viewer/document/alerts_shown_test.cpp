@@ -263,6 +263,13 @@ TEST_CASE(
     CHECK(app.session.atEnd());
     CHECK_FALSE(app.session.alerts().chosen());
     CHECK(app.alerts.takeOpened());
+    const std::string places = placesText(alerts.found()->verdict);
+    CHECK(endText(app.session) == places);
+    app.session.moves().toStart();
+    app.session.waitUntilDone();
+    CHECK(endText(app.session) == "at end: " + places);
+    app.session.moves().toEnd();
+    app.session.waitUntilDone();
     // Re-run, with another rule or unchanged: the cursor stays at the end.
     app.document.reload();
     app.arrive();
@@ -276,6 +283,7 @@ TEST_CASE(
     AlertApp app(file.path.string());
     const std::string before = verdictText(app.session.alerts());
     CHECK(before.find(" of ") != std::string::npos);
+    const MeshVerdict alertsBefore = app.session.alerts().found()->verdict;
     app.session.moves().toEnd();
     app.session.waitUntilDone();
     const std::size_t trianglesBefore = app.session.shownTriangles().size();
@@ -296,8 +304,10 @@ TEST_CASE(
     CHECK(app.session.atEnd());
     CHECK(faultCount(app.session.alerts().found()->verdict.totals) ==
           faultCount(best.verdict.totals));
-    CHECK(app.session.messages().last().find("Now " + after + "; before, " + before + ".") !=
-          std::string::npos);
+    const std::string places = placesText(alertsBefore);
+    CHECK(after == "the mesh is sound");
+    CHECK(app.session.messages().last().find("The mesh now is sound; before, it had faults at " +
+                                             places + ".") != std::string::npos);
     // The mesh of before is shown while the user looks back, with its faults.
     CHECK_FALSE(app.session.showsEarlierMesh());
     app.session.showBefore(true);

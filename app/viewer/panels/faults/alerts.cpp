@@ -325,9 +325,12 @@ void drawAlerts(const PanelContext& context) {
         dimText(
             "There are too many failures to follow all of them: places list the first of each "
             "class.");
-    if (!session.alerts().chosen()) {
-        dimText("The most severe place first: " + context.key("step.alert.next") +
-                " shows the next one. A click on a fault goes to where it was created.");
+    if (!alerts.chosen()) {
+        const std::string places =
+            "The most severe place first: " + context.key("step.alert.next") +
+            " shows the next one. ";
+        dimText((alerts.places().empty() ? "" : places) +
+                "A click on an alert goes to where it was created.");
     }
     drawList(context);
     context.state<AlertsPanel>().reveal = false;

@@ -24,12 +24,33 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
+/// "12", or "≥ 12" if there may be more.
+std::string knownText(std::size_t count, bool all) {
+    return (all ? "" : "\xE2\x89\xA5 ") + grouped(count);
+}
+
+/// Height of the column, in em, from which it has room for the numbers and the list of places; and
+/// for the details of a place as well.
+constexpr float kRoomForPlaces = 40.0F;
+constexpr float kRoomForDetails = 52.0F;
+
+/// True where the numbers are shown: with less room they are folded at first, so that the buttons
+/// and the places are in sight together.
+bool showsNumbers(const PanelContext& context) {
+    const bool details = context.session().alerts().place().has_value();
+    const float needed = details ? kRoomForDetails : kRoomForPlaces;
+    if (ImGui::GetWindowHeight() >= needed * context.em) return true;
+    const bool open = ImGui::TreeNodeEx("Numbers", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    nameItem(context, "verdict fold");
+    return open;
+}
+
 /// The counts of the open run, and of the best trial if there is one: a row for each that is not 0,
-/// and distances in spacings.
+/// those that settings are compared by first; and distances in spacings.
 void drawNumbers(const PanelContext& context, const MeshVerdict& now, const MeshVerdict* then) {
     const Model& model = context.session().model();
     const int columns = then != nullptr ? 3 : 2;
-    if (!ImGui::BeginTable("##numbers", columns)) return;
+    if (!showsNumbers(context) || !ImGui::BeginTable("##numbers", columns)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     for (int i = 1; i < columns; ++i)
         ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 3.6F * context.em);
@@ -43,22 +64,35 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
         ImGui::TableNextColumn();
         textAtRight(after, context.palette.text);
     };
-    const auto spacings = [&](const MeshVerdict* of) -> std::string {
-        if (of == nullptr) return {};
-        const double mean = of->fidelity.meanDistance * model.scale / model.spacing;
-        return mean > 0.0 && mean < 0.001 ? "< 0.001" : formatted("%.3f", mean);
+    const auto both = [&](const std::string& what, const auto& textOf) {
+        row(what, textOf(now), then != nullptr ? textOf(*then) : std::string{});
     };
     if (then != nullptr) row("", "now", "then");
-    row("places with faults", grouped(now.places), then != nullptr ? grouped(then->places) : "");
+    both("places with faults",
+         [](const MeshVerdict& of) { return knownText(of.places, of.allPlaces); });
     for (const VerdictCount& count : verdictCounts()) {
-        const std::size_t after = then != nullptr ? count.of(*then) : 0;
-        if (count.of(now) > 0 || after > 0)
-            row(std::string(count.plural), grouped(count.of(now)), grouped(after));
+        if (count.of(now) > 0 || (then != nullptr && count.of(*then) > 0))
+            both(std::string(count.plural),
+                 [&](const MeshVerdict& of) { return grouped(count.of(of)); });
     }
-    row("mean distance", spacings(&now), spacings(then));
+    for (const FailureClass& kind : failureClasses()) {
+        const auto total = [&](const MeshVerdict& of) {
+            return of.totals[static_cast<std::size_t>(&kind - failureClasses().data())];
+        };
+        if (!kind.fault || isCounted(kind)) continue;
+        if (total(now).total > 0 || (then != nullptr && total(*then).total > 0))
+            both(titleOf(kind), [&](const MeshVerdict& of) {
+                return knownText(total(of).total, total(of).exact);
+            });
+    }
+    both("mean distance, spacings", [&](const MeshVerdict& of) {
+        const double mean = of.fidelity.meanDistance * model.scale / model.spacing;
+        return mean == 0.0 ? "0" : mean < 0.001 ? "< 0.001" : formatted("%.3f", mean);
+    });
     ImGui::EndTable();
     nameItem(context, "verdict numbers",
-             "The mean distance of the points from the mesh is in spacings of the points");
+             "The mean distance of the points from the mesh is in spacings of the points. An "
+             "opening of the scan is an end of its points that a mesh should leave open.");
 }
 
 /// The triangles that Fix would change, in the colors that they have in the view.
@@ -189,7 +223,7 @@ void drawFound(const PanelContext& context, const RunAlerts& alerts) {
     const MeshVerdict& verdict = alerts.found()->verdict;
     // The counts are in the table.
     const std::string title = !faulty              ? "The mesh is sound"
-                              : verdict.places > 0 ? "Not sound: " + withS(verdict.places, "place")
+                              : verdict.places > 0 ? "Not sound: " + placesText(verdict)
                                                    : verdictText(alerts);
     ImGui::PushStyleColor(ImGuiCol_Text,
                           toVec4(faulty ? context.palette.rejected : context.palette.used));

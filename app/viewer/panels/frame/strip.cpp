@@ -403,29 +403,32 @@ constexpr float kMargin = 0.75F;
 constexpr float kFold = 1.4F;
 constexpr float kNotes = 2.2F;
 
-/// Counts of the run, the most important first.
+/// The triangles at the cursor, and what is known about the mesh at the end.
 std::vector<std::string> figuresOf(const PanelContext& context) {
     const Session& session = context.session();
     const DecisionState& picture = session.picture();
     const std::string triangles =
         withS(picture.finishedTriangles + picture.newTriangles.size(), "triangle");
-    const RunAlerts& alerts = session.alerts();
-    if (!alerts.done()) return {triangles};
-    const std::size_t places = alerts.places().size();
-    if (places > 0) return {triangles, withS(places, "fault")};
-    return {triangles, alerts.sound() ? "sound" : "no faults"};
+    if (!session.alerts().done()) return {triangles};
+    return {triangles, endText(session)};
 }
 
 /// Counts of the run, right of the cells; the tooltip has those of the points.
 void drawFigures(const PanelContext& context, const Rect& area) {
     if (area.size.x <= 0.0F || !context.session().ready()) return;
     const float em = context.em;
-    std::string text = joined(figuresOf(context), " \xC2\xB7 ");
+    const std::vector<std::string> lines = figuresOf(context);
     const float room = area.size.x - (kMargin + kFold + kNotes + 0.8F) * em;
-    text = fitted(text, room);
-    const float width = textWidth(text);
-    ImGui::SetCursorScreenPos({area.min.x + room - width, area.min.y + 0.5F * (area.size.y - em)});
-    ImGui::TextDisabled("%s", text.c_str());
+    const float pitch = ImGui::GetTextLineHeight();
+    float y = area.min.y + 0.5F * (area.size.y - pitch * static_cast<float>(lines.size()));
+    ImGui::BeginGroup();
+    for (const std::string& each : lines) {
+        const std::string text = fitted(each, room);
+        ImGui::SetCursorScreenPos({area.min.x + room - textWidth(text), y});
+        ImGui::TextDisabled("%s", text.c_str());
+        y += pitch;
+    }
+    ImGui::EndGroup();
     const StatusCounts& counts = context.counts;
     nameItem(context, "figures",
              "UNUSED " + grouped(counts.unused) + ", USED " + grouped(counts.used) + ", DONE " +
