@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <glm/common.hpp>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -193,14 +195,20 @@ std::string usualName(std::string_view word) {
     return firstOfRow(kNames, plainName(word), word);
 }
 
-/// The axis that a name of maps stands for; else the name.
-std::string axisOnMap(const std::string& name) {
+/// The axis that a word of maps stands for; else `name`.
+std::string axisOnMap(std::string_view word, std::string_view name) {
     constexpr std::array<std::array<std::string_view, 6>, 3> kNames{{
         {"x", "lon", "longitude", "east", "easting", "e"},
         {"y", "lat", "latitude", "north", "northing", "n"},
         {"z", "height", "elevation", "alt", "altitude", "up"},
     }};
-    return firstOfRow(kNames, lowerCase(name), name);
+    return firstOfRow(kNames, word, name);
+}
+
+/// The axis of a name that surveyors write, such as "Elev (m)"; else the name.
+std::string axisOfSurvey(const std::string& name) {
+    const std::string plain = plainName(name);
+    return axisOnMap(plain == "elev" || plain == "h" ? "height" : plain, name);
 }
 
 /// A name without blanks and quotation marks around it; those within become "_".
@@ -248,8 +256,13 @@ std::vector<std::string> columnNames(std::vector<std::string> words) {
         if (!isPrintable(word)) return {};
         word = usualName(word);
     }
-    // Beside x, y and z a height is a column of its own.
-    if (!isAmong("x", words)) std::transform(words.begin(), words.end(), words.begin(), axisOnMap);
+    // Beside x, y and z a height is a column of its own, and so are "n (hits)" and "h" beside
+    // others.
+    if (!isAmong("x", words)) {
+        for (std::string& word : words) word = axisOnMap(lowerCase(word), word);
+        if (!isAmong("x", words) || !isAmong("y", words) || !isAmong("z", words))
+            std::transform(words.begin(), words.end(), words.begin(), axisOfSurvey);
+    }
     for (const char* axis : {"x", "y", "z"}) {
         if (std::count(words.begin(), words.end(), axis) != 1) return {};
     }
@@ -257,6 +270,38 @@ std::vector<std::string> columnNames(std::vector<std::string> words) {
     sortUnique(different);
     if (different.size() < words.size()) return {};
     return words;
+}
+
+/// Names of columns, and their line.
+struct Header {
+    std::vector<std::string> names;
+    std::size_t line = 0;
+
+    /// True for "y x z" and other orders of these side by side; words of a sentence are apart.
+    bool turnsAxes() const {
+        const auto x = std::find(names.begin(), names.end(), "x") - names.begin();
+        const auto y = std::find(names.begin(), names.end(), "y") - names.begin();
+        const auto z = std::find(names.begin(), names.end(), "z") - names.begin();
+        return std::max({x, y, z}) - std::min({x, y, z}) == 2 && !(x < y && y < z);
+    }
+};
+
+/// The ways to read a comment as names of columns: its words, those that are no units in brackets,
+/// or what its separators part ("x, y, z, point id"); after a label ("columns: x y z", "format =").
+std::vector<Header> headersIn(std::string_view comment, std::size_t line) {
+    std::vector<Header> headers;
+    const std::size_t label = std::max(comment.rfind(": ") + 1, comment.rfind('=') + 1);
+    for (const std::string_view text : {comment.substr(label), comment}) {
+        const std::vector<std::string> words = wordsIn(text, ',', ';');
+        std::vector<std::string> bare = words;
+        std::erase_if(bare, [](const auto& word) { return word[0] == '[' || word[0] == '('; });
+        for (const auto& each : {words, bare, namesInRow(text)}) {
+            Header header{columnNames(each), line};
+            if (!header.names.empty()) headers.push_back(std::move(header));
+        }
+        if (!headers.empty()) break;
+    }
+    return headers;
 }
 
 /// True if files with `columns` numbers per row, the position included, can be read without names.
@@ -377,14 +422,11 @@ class XyzReader : LineByLine {
   private:
     // ---- rows -------------------------------------------------------------------------------
 
-    /// Takes the column names of a comment. The last such comment before the points counts.
+    /// Takes the column names of a comment before the points.
     void takeHeader(std::string_view comment) {
-        if (!file_.position.empty()) return;
+        if (!file_.position.empty() || namedInRow_) return;
         comment.remove_prefix(std::min(comment.find_first_not_of("#/"), comment.size()));
-        std::vector<std::string> names = columnNames(wordsIn(comment, ',', ';'));
-        if (names.empty()) return;
-        named_ = std::move(names);
-        headerLine_ = lines_.number();
+        for (Header& each : headersIn(comment, lines_.number())) named_.push_back(std::move(each));
     }
 
     /// True for a first row of words.
@@ -396,10 +438,9 @@ class XyzReader : LineByLine {
     }
 
     bool takeNames(std::string_view content) {
-        named_ = columnNames(namesInRow(content));
-        headerLine_ = lines_.number();
+        named_ = {{columnNames(namesInRow(content)), lines_.number()}};
         namedInRow_ = true;
-        return !named_.empty() ||
+        return !named_[0].names.empty() ||
                fail("expected numbers, or names of columns with x, y and z once each, found " +
                     inQuotes(content.substr(0, 60)) + "; name them so, or delete the line");
     }
@@ -536,13 +577,17 @@ class XyzReader : LineByLine {
         digitsOnly_.assign(columns_, 1);
         startsWithCount_ = rowDigits_ == std::vector<char>{1, 1, 1} && row_[0] >= 3.0 &&
                            row_[1] == 0.0 && row_[2] == 0.0;
-        if (namedInRow_ && named_.size() != columns_ && !startsWithCount_) {
+        header_ = {};
+        for (const Header& each : named_) {
+            if (each.names.size() == columns_ && each.line > header_.line) header_ = each;
+        }
+        if (namedInRow_ && header_.names.empty() && !startsWithCount_) {
             return fail("found " + std::to_string(columns_) + " numbers, but " +
-                        lineText(headerLine_) + " names " + std::to_string(named_.size()) +
+                        lineText(named_[0].line) + " names " +
+                        std::to_string(named_[0].names.size()) +
                         " columns; correct one of the two lines");
         }
-        header_ = named_.size() == columns_ ? named_ : std::vector<std::string>{};
-        if (header_.empty() && !isRecognizable(columns_)) {
+        if (header_.names.empty() && !isRecognizable(columns_)) {
             return fail(
                 "expected 3 numbers (x y z), or 4, 6, 7 or 9 (with intensity, normals or "
                 "colors), found " +
@@ -551,7 +596,8 @@ class XyzReader : LineByLine {
                 "such as \"# x y z intensity label\", with one name per column");
         }
         axes_ = {0, 1, 2};
-        if (!header_.empty()) axes_ = {find(header_, "x"), find(header_, "y"), find(header_, "z")};
+        const std::vector<std::string>& names = header_.names;
+        if (!names.empty()) axes_ = {find(names, "x"), find(names, "y"), find(names, "z")};
         for (std::size_t column = 0; column < columns_; ++column) {
             if (!isAmong(column, axes_)) others_.push_back(column);
         }
@@ -573,8 +619,16 @@ class XyzReader : LineByLine {
     bool nameColumns() {
         for (const std::size_t column : others_)
             extra_.digitsOnly.push_back(digitsOnly_[column] != 0);
-        std::vector<std::string> all = header_;
-        if (header_.empty()) {
+        std::vector<std::string> all = header_.names;
+        if (all.empty()) {
+            const auto* const turned = rowWhere(named_, std::mem_fn(&Header::turnsAxes));
+            if (turned != nullptr) {
+                return failIn(turned->line,
+                              "this comment names x, y and z in another order, but "
+                              "not one word for each of the " +
+                                  std::to_string(columns_) +
+                                  " columns; name all of them, or remove it");
+            }
             if (countsRows_ && others_.size() % 3 == 1 && file_.position.size() > 1) {
                 return failIn(firstLine_,
                               "column 1 counts the rows, as numbers of points do; name the columns "
@@ -591,10 +645,10 @@ class XyzReader : LineByLine {
             all = {"x", "y", "z"};
             all.insert(all.end(), names_.begin(), names_.end());
         } else {
-            for (const std::size_t column : others_) names_.push_back(header_[column]);
+            for (const std::size_t column : others_) names_.push_back(all[column]);
             if (has("")) file_.notes.emplace_back("left out: a column without a name");
             if (!headerFits()) return false;
-            file_.columns.reason = "named in " + lineText(headerLine_);
+            file_.columns.reason = "named in " + lineText(header_.line);
         }
         file_.columns.names = joined(all, " ");
         return true;
@@ -611,7 +665,7 @@ class XyzReader : LineByLine {
         if (columns_ < 6 || !isRecognizable(columns_) || has("nx") || has("red")) return true;
         const Result<NamedColumns> named = recognizeColumns(extra_);
         if (!named) return true;
-        return failIn(headerLine_,
+        return failIn(header_.line,
                       "this comment has one word per column and names neither normals nor colors, "
                       "but " +
                           named.value().reason +
@@ -658,9 +712,8 @@ class XyzReader : LineByLine {
     }
 
     PointFile file_;
-    std::vector<std::string> named_;   // Names of columns before the first row.
-    std::vector<std::string> header_;  // Those, if there are as many as columns; else empty.
-    std::size_t headerLine_ = 0;
+    std::vector<Header> named_;  // Before the first row.
+    Header header_;              // The last of those with as many names as columns; else empty.
     std::size_t firstLine_ = 0;
     std::size_t columns_ = 0;
     std::array<std::size_t, 3> axes_{};

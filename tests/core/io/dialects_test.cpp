@@ -126,6 +126,10 @@ TEST_CASE("XYZ: a first row of names is a header, with any separator and quotati
     CHECK(contains(errorOf("x,y,z,w\n1,2,3\n"), "line 2: found 3 numbers, but line 1 names 4"));
     CHECK(contains(errorOf("a,b,c\n1,2,3\n", "a.csv"), "names of columns with x, y and z"));
     CHECK(mustRead("X [m],Y [m],Z [m]\n1,2,3\n").position[0] == Vec3(1, 2, 3));
+    for (const char* names :
+         {"Easting (m),Northing (m),Elev (m)", "E,N,H", "lon [deg],lat [deg],h"})
+        CHECK(mustRead(names + std::string("\n1,2,3\n"), "a.csv").position[0] == Vec3(1, 2, 3));
+    CHECK(mustRead("lat,lon,alt,h\n2,1,3,4\n").columns.names == "y x z h");
     CHECK(mustRead("\"x\",\"y\",\"z\"\n\"1\",\"2\",\"3\"\n").position[0] == Vec3(1, 2, 3));
     CHECK(mustRead("\"x\";\"y\";\"z\"\n\"1,5\";\"2,5\";\"3,5\"\n").position[0] ==
           Vec3(1.5, 2.5, 3.5));

@@ -137,6 +137,34 @@ TEST_CASE("XYZ: a comment that names no columns, or others, decides nothing") {
     CHECK_FALSE(mustRead(kColors + "# x y z nx ny nz\n").hasNormals());
 }
 
+TEST_CASE("XYZ: a comment names columns with units, a label, or blanks in names") {
+    for (const char* comment :
+         {"# y [m] x [m] z [m]", "# y (m), x (m), z (m)", "# columns: y x z", "# Fields: y, x, z",
+          "# format = y x z", "//Y;X;Z", "# y x z\n# x y z in meters"}) {
+        CAPTURE(comment);
+        CHECK(mustRead(comment + std::string("\n1 2 3\n")).position[0] == Vec3(2, 1, 3));
+    }
+    const PointFile four = mustRead("//Z,X,Y,Gaussian curvature\n1,2,3,4\n", "a.csv");
+    CHECK(four.position[0] == Vec3(2, 3, 1));
+    CHECK(four.columns.names == "z x y Gaussian_curvature");
+    CHECK(mustRead("//X,Y,Z,R,G,B,Scalar field,Nx,Ny,Nz\n1,2,3,4,5,6,7,0,0,1\n").normal[0] ==
+          Vec3(0, 0, 1));
+    CHECK(mustRead("# Points:0 Points:1 Points:2 id\n1 2 3 4\n").position[0] == Vec3(1, 2, 3));
+    // A row of names decides, not a comment after it.
+    CHECK(mustRead("y,x,z\n# x y z in m\n1,2,3\n").position[0] == Vec3(2, 1, 3));
+}
+
+TEST_CASE("XYZ: a comment with x, y and z in another order is not passed over") {
+    for (const char* comment :
+         {"# y x z", "# columns: y x z", "# z, x, y of it", "# lat lon alt"}) {
+        CAPTURE(comment);
+        CHECK(
+            contains(errorOf(comment + ("\n" + kColors)), "line 1: this comment names x, y and z"));
+    }
+    // Not so a sentence.
+    CHECK(mustRead("# z is up, x east, y north\n1 2 3\n").position[0] == Vec3(1, 2, 3));
+}
+
 TEST_CASE("XYZ: numbers of columns that nothing explains are refused with the way out") {
     for (const char* text :
          {"1 2\n", "1 2 3 4 5\n", "1 2 3 4 5 6 7 8\n", "1 2 3 4 5 6 7 8 9 10\n"}) {
