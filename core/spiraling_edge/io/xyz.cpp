@@ -629,10 +629,13 @@ class XyzReader : LineByLine {
                                   std::to_string(columns_) +
                                   " columns; name all of them, or remove it");
             }
-            if (countsRows_ && others_.size() % 3 == 1 && file_.position.size() > 1) {
+            if (others_.size() % 3 == 1 && numbersPoints()) {
                 return failIn(firstLine_,
-                              "column 1 counts the rows, as numbers of points do; name the columns "
-                              "in a line before the points, such as \"# id x y z\"");
+                              std::string("column 1 ") +
+                                  (countsRows_ ? "counts the rows"
+                                               : "holds another whole number in each row") +
+                                  ", as numbers of points do; name the columns "
+                                  "in a line before the points, such as \"# id x y z\"");
             }
             Result<NamedColumns> named = recognizeColumns(extra_);
             if (!named && isPts()) {
@@ -652,6 +655,27 @@ class XyzReader : LineByLine {
         }
         file_.columns.names = joined(all, " ");
         return true;
+    }
+
+    /// True if the first column counts the rows; or holds another whole number in each of many
+    /// rows, while the three after it, which are the position then, have fractions.
+    bool numbersPoints() const {
+        constexpr std::size_t kMany = 10;
+        const std::size_t rows = file_.position.size();
+        if (rows < kMany || countsRows_) return rows > 1 && countsRows_;
+        std::vector<double> numbers;
+        std::array<bool, 4> whole{true, true, true, true};
+        for (std::size_t p = 0; p < rows; ++p) {
+            const Vec3& row = file_.position[p];
+            const std::array<double, 4> values{row.x, row.y, row.z,
+                                               extra_.values[p * others_.size()]};
+            for (std::size_t i = 0; i < 4; ++i)
+                whole[i] = whole[i] && values[i] == std::floor(values[i]);
+            numbers.push_back(row.x);
+        }
+        if (whole != std::array<bool, 4>{true, false, false, false}) return false;
+        sortUnique(numbers);
+        return numbers.size() == rows;
     }
 
     /// Seven columns after a count, of which the last three can be colors.

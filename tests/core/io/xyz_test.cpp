@@ -237,6 +237,28 @@ TEST_CASE("XYZ: point numbers in the first column are not taken for x") {
     CHECK(mustRead("1 0 0 7\n1 1 0 8\n2 0 0 9\n").position.size() == 3);
 }
 
+TEST_CASE("XYZ: many whole numbers, all different, before three fractions are numbers of points") {
+    const auto rows = [](const std::string& end, auto first) {
+        std::string text;
+        for (int i = 0; i < 12; ++i)
+            text += std::to_string(first(i)) + " " + std::to_string(0.5 * i) + " 1.5 0.25" + end;
+        return text;
+    };
+    const auto gaps = [](int i) { return 1000 + 3 * i; };
+    for (const std::string& text :
+         {rows("\n", gaps), rows("\n", [](int i) { return 7 * i % 12; }),
+          rows("\n", [](int i) { return 12.0 - i; }), rows(" 9 8 7\n", gaps)})
+        CHECK(contains(errorOf(text), "line 1: column 1 holds another whole number in each row"));
+    CHECK(mustRead("# id x y z\n" + rows("\n", gaps)).position[2] == Vec3(1, 1.5, 0.25));
+    // Places: some of them alike, with fractions, or with whole numbers after them.
+    CHECK(mustRead(rows("\n", [](int i) { return i / 2; })).position.size() == 12);
+    CHECK(mustRead(rows("\n", [](int i) { return 0.5 * i; })).position.size() == 12);
+    CHECK(mustRead(replaced(rows("\n", gaps), "1000 ", "1000.5 ")).position.size() == 12);
+    std::string whole;
+    for (int i = 0; i < 12; ++i) whole += std::to_string(gaps(i)) + " 0.5 1.5 40\n";
+    CHECK(mustRead(whole).position[1] == Vec3(1003, 0.5, 1.5));
+}
+
 TEST_CASE("XYZ: a sentence with a word per column is not taken for names of normals or colors") {
     const std::string rows = "0 0 1 0 0 1\n1 0 0 1 0 0\n0 1 0 0 1 0\n";
     CHECK(contains(errorOf("# x y z in mm, up\n" + rows), "line 1: this comment has one word"));
