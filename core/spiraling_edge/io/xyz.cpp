@@ -492,13 +492,21 @@ class XyzReader : LineByLine {
     }
 
     /// A first row such as "600 0 0" is no point if as many rows follow: OFF without its keyword.
-    /// Rows of whole numbers are a grid, which may begin so.
+    /// Rows of whole numbers are a grid, which may begin so. Nor is "10 60 1" before 600 rows, or
+    /// "600 3 1", if no other row is whole.
     void takeCountAsPoint() {
+        constexpr double kLeast = 10.0;
         const bool grid = digitsOnly_ == std::vector<char>{1, 1, 1};
-        if (!startsWithCount_ || columns_ != 3 || grid) return;
-        if (file_.position.front().x != static_cast<double>(file_.position.size() - 1)) return;
+        const bool onlyWhole = startsWhole_ && wholeRows_ == 1;
+        if (columns_ != 3 || grid || !(startsWithCount_ || onlyWhole)) return;
+        const auto rows = static_cast<double>(file_.position.size() - 1);
+        const Vec3 first = file_.position.front();
+        const bool counts = first.x == rows && (startsWithCount_ || rows >= kLeast);
+        const bool sizes = onlyWhole && rows >= kLeast && first.x * first.y * first.z == rows;
+        if (!counts && !sizes) return;
         file_.position.erase(file_.position.begin());
-        file_.notes.push_back(lineText(firstLine_) + " begins with the number of points");
+        file_.notes.push_back(lineText(firstLine_) + (counts ? " begins with the number of points"
+                                                             : " is the size of a grid of points"));
     }
 
     bool readRow(std::string_view content) {
@@ -575,8 +583,8 @@ class XyzReader : LineByLine {
         columns_ = row_.size();
         firstLine_ = lines_.number();
         digitsOnly_.assign(columns_, 1);
-        startsWithCount_ = rowDigits_ == std::vector<char>{1, 1, 1} && row_[0] >= 3.0 &&
-                           row_[1] == 0.0 && row_[2] == 0.0;
+        startsWhole_ = rowDigits_ == std::vector<char>{1, 1, 1};
+        startsWithCount_ = startsWhole_ && row_[0] >= 3.0 && row_[1] == 0.0 && row_[2] == 0.0;
         header_ = {};
         for (const Header& each : named_) {
             if (each.names.size() == columns_ && each.line > header_.line) header_ = each;
@@ -605,6 +613,7 @@ class XyzReader : LineByLine {
     }
 
     void keepRow() {
+        wholeRows_ += isAmong(0, rowDigits_) ? 0U : 1U;
         for (std::size_t column = 0; column < columns_; ++column)
             digitsOnly_[column] = digitsOnly_[column] != 0 && rowDigits_[column] != 0 ? 1 : 0;
         countsRows_ = countsRows_ && digitsOnly_[0] != 0 &&
@@ -748,6 +757,7 @@ class XyzReader : LineByLine {
     std::vector<char> rowDigits_;   // Per number of the row: 1 if it is digits alone.
     std::vector<char> digitsOnly_;  // Per column: 1 while all numbers are digits alone.
     bool namedInRow_ = false;       // named_ is from a row, not from a comment.
+    bool startsWhole_ = false;      // The first row is three numbers of digits alone.
     bool startsWithCount_ = false;  // The first row is "N 0 0", of 3 or more.
     Count count_;                   // The last one.
     std::size_t counts_ = 0;

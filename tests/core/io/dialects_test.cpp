@@ -102,6 +102,15 @@ TEST_CASE("XYZ: a line of one whole number is the number of points, and must be 
     CHECK(mustRead("1\n1 2 3\n2\n4 5 6\n7 8 9\n").position.size() == 3);
     CHECK(mustRead("3 0 0\n1 2 3.5\n4 5 6\n7 8 9\n").position.size() == 3);
     CHECK(mustRead("3 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n7 8 9 0 1 0\n").position.size() == 3);
+    // The sizes of a grid, or count and columns, before rows of which none is whole.
+    std::string rows;
+    for (int i = 0; i < 12; ++i) rows += std::to_string(i) + " 0.5 1\n";
+    CHECK(notes(mustRead("4 3 1\n" + rows), "line 1 is the size of a grid"));
+    CHECK(notes(mustRead("12 3 1\n" + rows), "line 1 begins with the number of points"));
+    CHECK(mustRead("4 3 1\n" + rows).position.size() == 12);
+    CHECK(mustRead("4 3 2\n" + rows).position.size() == 13);
+    CHECK(mustRead("4 3 1\n" + replaced(rows, "7 0.5 1", "7 5 1")).position.size() == 13);
+    CHECK(mustRead("1 2 1\n0.5 1 1\n1.5 1 1\n").position.size() == 3);
     // Points on a grid are not taken for counts.
     CHECK(mustRead("3 0 0\n2 0 0\n1 0 0\n0 0 0\n").position.size() == 4);
     CHECK(contains(errorOf("3\n1 2 3\n4 5 6\n"), "line 1: announces 3 points, but 2 follow"));
