@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,6 +62,8 @@ struct TripleFacts {
     double high = -std::numeric_limits<double>::infinity();
     std::size_t directed = 0;  ///< Rows that are finite and not zero.
     std::size_t unit = 0;      ///< Those among them of length 1.
+
+    bool zeroOrOne() const { return whole && low >= 0.0 && high <= 1.0; }
 };
 
 TripleFacts factsOf(const ExtraColumns& extra, std::size_t first) {
@@ -85,10 +88,11 @@ TripleFacts factsOf(const ExtraColumns& extra, std::size_t first) {
 Look lookOf(const ExtraColumns& extra, std::size_t first) {
     const TripleFacts facts = factsOf(extra, first);
     const bool mostlyUnit = facts.directed > 0 && 2 * facts.unit >= facts.directed;
+    // Normals along the axes, such as 0 0 1.
+    if (facts.directed > 0 && facts.zeroOrOne())
+        return facts.unit == facts.directed ? Look::Normals : Look::Unclear;
     if (facts.digitsOnly && facts.high <= kHighestColor) {
         if (facts.directed == 0) return Look::Black;
-        // Normals along the axes, such as 0 0 1.
-        if (facts.high <= 1.0) return facts.unit == facts.directed ? Look::Normals : Look::Unclear;
         return mostlyUnit ? Look::Unclear : Look::Colors;
     }
     if (facts.digitsOnly) return Look::Unclear;  // Colors of 16 bits, perhaps.
@@ -128,9 +132,37 @@ std::vector<std::string> namesOf(Look look) {
     return {"nx", "ny", "nz"};
 }
 
-Result<NamedColumns> recognizeSix(const ExtraColumns& extra) {
+/// True if normals of zeros and ones alone suit the points, and are not pure colors: those along x
+/// or y lie on few levels of it, as walls and steps do, or within half the extent of the set, as a
+/// terrain does. Those along z may be anywhere: programs write 0 0 1 where they know no normal.
+bool suitPoints(const ExtraColumns& normals, std::span<const Vec3> position) {
+    Vec3 low(std::numeric_limits<double>::infinity());
+    Vec3 high = -low;
+    for (const Vec3& point : position) {
+        if (!isFinite(point)) continue;
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        std::vector<double> levels;
+        for (std::size_t p = 0; p < position.size(); ++p) {
+            if (normals.values[3 * p + axis] == 1.0 && isFinite(position[p]))
+                levels.push_back(position[p][static_cast<int>(axis)]);
+        }
+        const std::size_t points = levels.size();
+        sortUnique(levels);
+        const bool few = 2 * levels.size() <= points;
+        if (!few && levels.back() - levels.front() > 0.5 * extent) return false;
+    }
+    return true;
+}
+
+Result<NamedColumns> recognizeSix(const ExtraColumns& extra, std::span<const Vec3> position) {
     const Look look = lookOf(extra, 0);
-    if (look == Look::Unclear) return cannotTell(6, tripleText(0));
+    const bool pure = look == Look::Normals && factsOf(extra, 0).zeroOrOne();
+    if (look == Look::Unclear || (pure && !suitPoints(extra, position)))
+        return cannotTell(6, tripleText(0));
     return NamedColumns{namesOf(look), reasonOf(look, 0)};
 }
 
@@ -312,13 +344,13 @@ bool isRecognizable(std::size_t columns) {
 
 /// Names the columns after x, y and z. Fails with the reason, without a place, if the numbers allow
 /// no reading or several. Requires isRecognizable() and a row.
-Result<NamedColumns> recognizeColumns(const ExtraColumns& extra) {
+Result<NamedColumns> recognizeColumns(const ExtraColumns& extra, std::span<const Vec3> position) {
     assert(isRecognizable(3 + extra.width()) && (extra.width() == 0 || !extra.values.empty()));
     switch (extra.width()) {
         case 1:
             return NamedColumns{{"intensity"}, "column 4 is read as intensity"};
         case 3:
-            return recognizeSix(extra);
+            return recognizeSix(extra, position);
         case 4:
             return recognizeSeven(extra);
         case 6:
@@ -646,7 +678,7 @@ class XyzReader : LineByLine {
                                   ", as numbers of points do; name the columns "
                                   "in a line before the points, such as \"# id x y z\"");
             }
-            Result<NamedColumns> named = recognizeColumns(extra_);
+            Result<NamedColumns> named = recognizeColumns(extra_, file_.position);
             if (!named && isPts()) {
                 named = NamedColumns{{"intensity", "red", "green", "blue"},
                                      "in the order of PTS files, which begin with a count"};
@@ -696,7 +728,7 @@ class XyzReader : LineByLine {
     /// not count as names where the numbers are those of normals or colors and it names none.
     bool headerFits() {
         if (columns_ < 6 || !isRecognizable(columns_) || has("nx") || has("red")) return true;
-        const Result<NamedColumns> named = recognizeColumns(extra_);
+        const Result<NamedColumns> named = recognizeColumns(extra_, file_.position);
         if (!named) return true;
         return failIn(header_.line,
                       "this comment has one word per column and names neither normals nor colors, "

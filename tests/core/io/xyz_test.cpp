@@ -165,6 +165,42 @@ TEST_CASE("XYZ: a comment with x, y and z in another order is not passed over") 
     CHECK(mustRead("# z is up, x east, y north\n1 2 3\n").position[0] == Vec3(1, 2, 3));
 }
 
+TEST_CASE("XYZ: zeros and ones alone are normals only where they suit the points") {
+    const auto ball = [](auto colorOf) {
+        std::string text;
+        for (int i = 0; i < 30; ++i) {
+            const double turn = 2.4 * i;
+            const double z = (i - 14.5) / 15;
+            text += std::to_string(std::cos(turn)) + " " + std::to_string(std::sin(turn)) + " " +
+                    std::to_string(z) + colorOf(i) + "\n";
+        }
+        return text;
+    };
+    const std::vector<std::string> pure{" 1 0 0", " 0 1 0", " 0 0 1"};
+    const std::string error = "cannot tell what columns 4 to 6";
+    CHECK(contains(errorOf(ball([](int) { return " 1 0 0"; })), error));
+    CHECK(contains(errorOf(ball([](int) { return " 1.0 0.0 0.0"; })), error));
+    CHECK(contains(errorOf(ball([&](int i) { return pure[static_cast<std::size_t>(i % 3)]; })),
+                   error));
+    CHECK(contains(errorOf("0 0 0 1.0 0.0 0.0\n1 0 0 1.0 1.0 0.0\n"), error));
+    // What programs write where they know no normal.
+    CHECK(mustRead(ball([](int) { return " 0 0 1"; })).hasNormals());
+    // Faces of a box, steps, and a terrain.
+    std::string box;
+    std::string steps;
+    std::string terrain;
+    for (int i = 0; i < 16; ++i) {
+        const std::string a = std::to_string(i % 4);
+        const std::string b = std::to_string(i / 4);
+        box.append("4 ").append(a).append(" ").append(b).append(" 1 0 0\n");
+        box.append(a).append(" 4 ").append(b).append(" 0 1 0\n");
+        steps.append(b).append(" ").append(a).append(" ").append(b).append(" 1 0 0\n");
+        terrain.append(a).append(" ").append(std::to_string(0.05 * i)).append(" ").append(b);
+        terrain.append(" 0 1 0\n");
+    }
+    for (const std::string& text : {box, steps, terrain}) CHECK(mustRead(text).hasNormals());
+}
+
 TEST_CASE("XYZ: numbers of columns that nothing explains are refused with the way out") {
     for (const char* text :
          {"1 2\n", "1 2 3 4 5\n", "1 2 3 4 5 6 7 8\n", "1 2 3 4 5 6 7 8 9 10\n"}) {
