@@ -425,6 +425,20 @@ std::string withDecimalPoint(std::string_view field) {
     return text;
 }
 
+/// A row with blanks for its quotation marks. Where there are commas both within them and between
+/// them, the latter become semicolons: "3,1","2,5","4,0" is three numbers.
+std::string unquoted(std::string_view row) {
+    std::string text(row);
+    bool within = false;
+    for (char& c : text) {
+        if (c == '"') within = !within;
+        if (c == ',' && !within) c = ';';
+    }
+    if (text.find(',') == std::string::npos) text = row;
+    std::replace(text.begin(), text.end(), '"', ' ');
+    return text;
+}
+
 /// Reads XYZ line by line. The columns that follow the position are named at the end.
 class XyzReader : LineByLine {
   public:
@@ -446,6 +460,7 @@ class XyzReader : LineByLine {
         if (file_.position.empty()) return Error{name_ + ": holds no points"};
         takeCountAsPoint();
         if (!nameColumns()) return problem_;
+        if (decimalComma_) file_.notes.emplace_back("commas are read as decimal points");
         takeNormals();
         takeAttributes();
         return std::move(file_);
@@ -542,11 +557,10 @@ class XyzReader : LineByLine {
     }
 
     bool readRow(std::string_view content) {
-        std::string unquoted;
+        std::string plain;
         if (content.find('"') != std::string_view::npos) {
-            unquoted = content;
-            std::replace(unquoted.begin(), unquoted.end(), '"', ' ');
-            content = unquoted;
+            plain = unquoted(content);
+            content = plain;
         }
         while (!content.empty() && isSpace(content.back())) content.remove_suffix(1);
         if (content.find('\r') != std::string_view::npos) {

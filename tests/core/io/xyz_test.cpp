@@ -251,6 +251,23 @@ TEST_CASE("XYZ: commas that could be either are refused with their line") {
     CHECK(contains(errorOf("1;2;3;;5;6;7\n"), "line 1: expected a number between two semicolons"));
 }
 
+TEST_CASE("XYZ: commas within quotation marks are decimal where others part the numbers") {
+    for (const char* head : {"", "\"x\",\"y\",\"z\"\n"}) {
+        const PointFile file =
+            mustRead(std::string(head) + "\"3,14\",\"3,00\",\"-3,99\"\n", "a.csv");
+        CHECK(file.position == std::vector<Vec3>{{3.14, 3, -3.99}});
+        CHECK(file.attributes.empty());
+        CHECK(file.notes == std::vector<std::string>{"commas are read as decimal points"});
+    }
+    CHECK(mustRead("\"1\",\"2\",\"3\"\n4,5,6\n", "a.csv").position[0] == Vec3(1, 2, 3));
+    CHECK(mustRead("\"1,2,3\"\n", "a.csv").position[0] == Vec3(1, 2, 3));
+    CHECK(mustRead("\"1,5\";\"2,5\";\"3,5\"\n", "a.csv").position[0] == Vec3(1.5, 2.5, 3.5));
+    // Thousands, and a number without a comma beside them.
+    for (const char* row : {"\"14,107\",\"0\",\"99,000\"", "\"5,141.07\",\"5,000.00\",\"5,990.00\"",
+                            "\"14,107\",2,3"})
+        CHECK(contains(errorOf(std::string(row) + "\n", "a.csv"), "found a mixture"));
+}
+
 TEST_CASE("Text: other formats refuse a decimal comma with its line") {
     CHECK(contains(errorOf("v 0,1 0,2 0,3\n"), "line 1: expected three numbers, found \"0,1\""));
     CHECK(contains(errorOf("OFF\n1 0 0\n0,1 0,2 0,3\n"), "line 3: expected three numbers"));
