@@ -121,6 +121,14 @@ inline bool roundTo(ScalarType type, double& value) {
     });
 }
 
+/// Adds a note for a column of whole numbers of which one is beyond those that are exact.
+inline void noteLostDigits(const Attribute& column, std::vector<std::string>& notes) {
+    const bool exact = std::all_of(column.values.begin(), column.values.end(),
+                                   [](double value) { return std::abs(value) < kGreatestWhole; });
+    if (exact) return;
+    notes.push_back("column " + column.name + ": numbers above 2^53 have lost their last digits");
+}
+
 /// Numbers of a text that were rounded to its types: those beyond the range of float are counted by
 /// column.
 class RoundedNumbers {

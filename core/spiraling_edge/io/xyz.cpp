@@ -18,6 +18,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
@@ -786,6 +787,7 @@ class XyzReader : LineByLine {
             attribute.values.reserve(file_.position.size());
             for (std::size_t at = i; at < extra_.values.size(); at += extra_.width())
                 attribute.values.push_back(extra_.values[at]);
+            if (extra_.digitsOnly[i]) noteLostDigits(attribute, file_.notes);
             file_.attributes.push_back(std::move(attribute));
         }
     }
@@ -805,6 +807,7 @@ class XyzReader : LineByLine {
     bool namedInRow_ = false;       // named_ is from a row, not from a comment.
     bool startsWhole_ = false;      // The first row is three numbers of digits alone.
     bool startsWithCount_ = false;  // The first row is "N 0 0", of 3 or more.
+    std::size_t wholeRows_ = 0;     // Rows of digits alone.
     Count count_;                   // The last one.
     std::size_t counts_ = 0;
     bool decimalComma_ = false;

@@ -201,6 +201,12 @@ TEST_CASE("XYZ: zeros and ones alone are normals only where they suit the points
     for (const std::string& text : {box, steps, terrain}) CHECK(mustRead(text).hasNormals());
 }
 
+TEST_CASE("XYZ: whole numbers that double cannot hold are noted") {
+    CHECK(mustRead("x,y,z,stamp\n0,0,0,1699999999123456789\n", "a.csv").notes ==
+          std::vector<std::string>{"column stamp: numbers above 2^53 have lost their last digits"});
+    CHECK(mustRead("x,y,z,stamp\n0,0,0,1e300\n", "a.csv").notes.empty());
+}
+
 TEST_CASE("XYZ: numbers of columns that nothing explains are refused with the way out") {
     for (const char* text :
          {"1 2\n", "1 2 3 4 5\n", "1 2 3 4 5 6 7 8\n", "1 2 3 4 5 6 7 8 9 10\n"}) {
