@@ -146,7 +146,7 @@ class ObjReader : LineByLine {
         return true;
     }
 
-    /// One corner: v, v/vt, v//vn or v/vt/vn.
+    /// One corner: v, v/vt, v//vn or v/vt/vn; some programs leave the last slashes.
     bool readCorner(std::string_view field) {
         const std::size_t slash = field.find('/');
         std::int64_t vertex = 0;
@@ -156,7 +156,7 @@ class ObjReader : LineByLine {
         polygon_.push_back(static_cast<Index>(vertex));
         const std::size_t second =
             slash == std::string_view::npos ? slash : field.find('/', slash + 1);
-        if (second == std::string_view::npos) return true;
+        if (second == std::string_view::npos || second + 1 == field.size()) return true;
         std::int64_t normal = 0;
         if (!readReference(field.substr(second + 1), normals_.size(), highestNormal_, normal)) {
             return false;
@@ -192,7 +192,8 @@ class ObjReader : LineByLine {
 
     /// Takes for each point the mean direction of the different normals that faces assign to it, at
     /// a hard edge one for each of its sides, or the only one as it is; if some point has none, the
-    /// normals in their order, provided there are as many as points; else no normals.
+    /// normals in their order, provided there are as many as points and faces do not assign them in
+    /// another; else no normals.
     void takeNormals() {
         std::vector<std::vector<Vec3>> directions(file_.position.size());
         std::vector<Index> only(file_.position.size(), kNone);
@@ -208,7 +209,9 @@ class ObjReader : LineByLine {
                                                : normals_[only[p]]);
             }
             if (averaged > 0) file_.notes.push_back(averagedText(averaged));
-        } else if (normals_.size() == file_.position.size()) {
+        } else if (normals_.size() == file_.position.size() &&
+                   std::all_of(normalReferences_.begin(), normalReferences_.end(),
+                               [](const auto& each) { return each.vertex == each.normal; })) {
             file_.normal = std::move(normals_);
         } else if (!normals_.empty()) {
             file_.notes.emplace_back("left out: normals, which not every point has");

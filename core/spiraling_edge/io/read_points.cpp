@@ -124,13 +124,7 @@ void narrowColumns(PointFile& file) {
     for (Attribute& column : file.attributes) {
         if (column.type != ScalarType::Int64 && column.type != ScalarType::UInt64) continue;
         column.type = ScalarType::Double;
-        const bool exact =
-            std::all_of(column.values.begin(), column.values.end(),
-                        [](double value) { return std::abs(value) < io::kGreatestWhole; });
-        if (!exact) {
-            file.notes.push_back("column " + column.name +
-                                 ": numbers above 2^53 have lost their last digits");
-        }
+        io::noteLostDigits(column, file.notes);
     }
 }
 
@@ -207,9 +201,11 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
     for (const UnreadKind& kind : kUnreadKinds) {
         if (bytes.starts_with(kind.magic)) return Error{name + ": " + kind.remedy};
     }
-    // Its error says how rows and names of columns have to be.
+    // The one has an error that says how rows and names of columns have to be, the other may begin
+    // with any statement.
     const PointFormat* named = pointFormatOf(name);
-    if (named != nullptr && named->read == io::readXyz) return named->read(bytes, name);
+    if (named != nullptr && (named->read == io::readXyz || named->read == io::readObj))
+        return named->read(bytes, name);
     return Error{name + ": is of no known kind. " + readableText()};
 }
 

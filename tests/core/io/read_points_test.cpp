@@ -134,6 +134,13 @@ TEST_CASE("OBJ: as many normals as points belong to them in order, fewer to none
     CHECK(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n").normal ==
           std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}});
     CHECK_FALSE(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\n").hasNormals());
+    // A point in no face, and faces that assign the others in another order.
+    const std::string loose =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 1 0 0\n";
+    CHECK(mustRead(loose + "f 1//1 2//2 3//3\n").normal[1] == Vec3(0, 1, 0));
+    const PointFile turned = mustRead(loose + "f 1//3 2//2 3//1\n");
+    CHECK_FALSE(turned.hasNormals());
+    CHECK(turned.notes == std::vector<std::string>{"left out: normals, which not every point has"});
     CHECK_FALSE(mustRead(replaced(kObj, "f -4//-2 -3//-2 -1//-1\n", "v 2 2 2\n")).hasNormals());
 }
 
@@ -154,6 +161,16 @@ TEST_CASE("OBJ: texture coordinates in faces are passed over, and faces may come
         "vn 0 0 1\n");
     CHECK(file.faces.size() == 2);
     CHECK(file.normal == std::vector<Vec3>(3, Vec3(0, 0, 1)));
+    for (const char* face : {"f 1// 2// 3//\n", "f 1/7/ 2/8/ 3/9/\n", "f 1/ 2/ 3/\n"})
+        CHECK(mustRead(std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + face).faces.size() == 1);
+}
+
+TEST_CASE("OBJ: by extension it may begin with any statement") {
+    const PointFile file = mustRead("deg 3 3\nv 1 2 3\n", "a.obj");
+    CHECK(file.position[0] == Vec3(1, 2, 3));
+    CHECK(file.notes == std::vector<std::string>{"left out: statements deg"});
+    CHECK(contains(errorOf("BZh91AY...", "a.obj"), "bunzip2"));
+    CHECK(mustRead("1 2 3\n", "a.obj").position.size() == 1);
 }
 
 TEST_CASE("OBJ: what is wrong is named with its line") {
