@@ -1,4 +1,8 @@
 // OFF: keyword, counts, one line per point, one line per face.
+#include <array>
+#include <string>
+
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 
 namespace se::io {
@@ -10,15 +14,24 @@ std::string_view withoutCount(std::string_view word) {
     return word;
 }
 
-/// OFF with any of the prefixes C, N, ST.
+/// OFF with any of the prefixes C, N, ST, in any order; also in lower case, alone.
 bool isOffKeyword(std::string_view word) {
     word = withoutCount(word);
+    if (word == "off") return true;
     if (!word.ends_with("OFF")) return false;
-    word.remove_suffix(3);
-    if (word.starts_with("ST")) word.remove_prefix(2);
-    if (word.starts_with("C")) word.remove_prefix(1);
-    if (word.starts_with("N")) word.remove_prefix(1);
-    return word.empty();
+    std::string prefix(word.substr(0, word.size() - 3));
+    for (const std::string_view part : {"ST", "C", "N"}) {
+        const std::size_t at = prefix.find(part);
+        if (at != std::string::npos) prefix.erase(at, part.size());
+    }
+    return prefix.empty();
+}
+
+/// OFF of another kind: 4OFF and nOFF have points in more dimensions; noff may be NOFF or nOFF.
+bool isOtherOff(std::string_view word) {
+    const std::string lower = lowerCase(withoutCount(word));
+    return lower.ends_with("off") && !isOffKeyword(word) &&
+           lower.find_first_not_of("stcn4") == lower.size() - 3;
 }
 
 /// Reads OFF line by line: keyword, counts, one line per point, one line per face.
@@ -58,6 +71,7 @@ class OffReader : LineByLine {
             hasNormals_ = prefix.find('N') != std::string_view::npos;
             hasColors_ = prefix.find('C') != std::string_view::npos;
             hasTexture_ = prefix.find('S') != std::string_view::npos;
+            colorFirst_ = hasColors_ && prefix.find('N') < prefix.find('C');
             const std::string_view glued = field.substr(keyword.size());
             field = glued.empty() ? fields.next() : glued;
             if (field.empty()) {
@@ -65,6 +79,10 @@ class OffReader : LineByLine {
                 fields = Fields(lines_.line());
                 field = fields.next();
             }
+        }
+        if (isOtherOff(field)) {
+            return fail("OFF of the kind " + inQuotes(field) +
+                        " cannot be read, only with C, N and ST; save it so, or as PLY");
         }
         if (field == "BINARY") return fail("binary OFF cannot be read; save it as text or as PLY");
         return readCount(field, points_) && readCount(fields.next(), faces_);
@@ -105,16 +123,31 @@ class OffReader : LineByLine {
                     " numbers per point, found " + inQuotes(field));
     }
 
+    /// The color before the normal, as MeshLab writes it after the keyword NCOFF.
+    bool readBytes(Fields& fields) {
+        std::array<std::uint64_t, 4> bytes{};
+        for (std::uint64_t& byte : bytes) {
+            if (parseCount(fields.next(), byte, 255)) continue;
+            return fail(
+                "expected a color of four whole numbers up to 255 before the normal, as MeshLab "
+                "writes NCOFF; the keyword for normals before colors is CNOFF");
+        }
+        colors_.add(Vec3(bytes[0], bytes[1], bytes[2]));
+        colors_.leaveOutAlpha();
+        return true;
+    }
+
     bool readPoints() {
         for (std::uint64_t i = 0; i < points_; ++i) {
             Fields fields({});
             if (!beginRow(fields)) return failCut("points", i, points_);
             double n[6] = {};
             for (int column = 0; column < (hasNormals_ ? 6 : 3); ++column) {
+                if (colorFirst_ && column == 3 && !readBytes(fields)) return false;
                 if (!readNumber(fields, n[column])) return false;
             }
             if (!endRow(fields, "the point")) return false;
-            if (hasColors_) {
+            if (hasColors_ && !colorFirst_) {
                 colors_.add(fields);
             } else if (!hasTexture_ && !fields.next().empty()) {
                 return fail(
@@ -165,6 +198,7 @@ class OffReader : LineByLine {
     bool hasNormals_ = false;
     bool hasColors_ = false;
     bool hasTexture_ = false;
+    bool colorFirst_ = false;  // Before the normal.
     bool hasFaceColors_ = false;
     bool goesOn_ = false;        // The row goes on in a line after its first.
     std::size_t firstLine_ = 0;  // Of the row.
@@ -180,7 +214,7 @@ Result<PointFile> readOff(std::string_view text, const std::string& name) {
 // OFF may begin with its counts, which only the extension distinguishes from a point.
 bool isOff(const FileStart& start) {
     double number = 0.0;
-    return isOffKeyword(start.word) ||
+    return isOffKeyword(start.word) || isOtherOff(start.word) ||
            (start.extension == ".off" && parseDouble(start.word, number));
 }
 

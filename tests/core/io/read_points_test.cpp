@@ -212,6 +212,20 @@ TEST_CASE("OFF: counts may follow the keyword, and by extension the keyword may 
     CHECK(mustRead("STCNOFF\n1 0 0\n1 2 3 0 0 1 255 0 0 1 0.5 0.5\n").hasNormals());
 }
 
+TEST_CASE("OFF: prefixes come in any order, and MeshLab writes colors before normals after NCOFF") {
+    CHECK(mustRead("off\n1 0 0\n1 2 3\n").position.size() == 1);
+    CHECK(mustRead("CSTOFF\n1 0 0\n1 2 3 10 20 30 255 0.5 0.5\n").attributes.size() == 3);
+    const PointFile file = mustRead("NCOFF\n1 0 0\n1 2 3 10 20 30 255 0 0.6 0.8\n");
+    CHECK(file.normal[0] == Vec3(0, 0.6, 0.8));
+    CHECK(file.attributes[2].values == std::vector<double>{30});
+    CHECK(mustRead("NCSTOFF\n1 0 0\n1 2 3 10 20 30 255 0 0.6 0.8 0.5 0.5\n").hasNormals());
+    CHECK(mustRead("CNOFF\n1 0 0\n1 2 3 0 0.6 0.8 10 20 30 255\n").normal[0] == file.normal[0]);
+    CHECK(contains(errorOf("NCOFF\n1 0 0\n1 2 3 0 0.6 0.8 10 20 30 255\n"),
+                   "line 3: expected a color of four whole numbers"));
+    for (const char* keyword : {"4OFF", "nOFF", "STN4OFF", "noff"})
+        CHECK(contains(errorOf(std::string(keyword) + "\n1 0 0\n1 2 3\n"), "OFF of the kind"));
+}
+
 TEST_CASE("OFF: a file cut at any byte is refused") {
     checkAllPrefixes("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     checkAllPrefixes(kOff.substr(0, kOff.find(" 255")));
