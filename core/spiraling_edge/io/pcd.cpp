@@ -242,7 +242,11 @@ class PcdReader : LineByLine {
                      ScalarType& type) {
         const auto isThere = [this](const char* name) { return find(name) != nullptr; };
         if (!std::all_of(names.begin(), names.end(), isThere)) return;
-        type = *find(names[0])->type();
+        const auto isFloat = [this](const char* name) {
+            return *find(name)->type() == ScalarType::Float;
+        };
+        type = std::all_of(names.begin(), names.end(), isFloat) ? ScalarType::Float
+                                                                : ScalarType::Double;
         vectors.resize(static_cast<std::size_t>(*points_));
         if (vectors.empty()) return;
         double* component = &vectors.front().x;

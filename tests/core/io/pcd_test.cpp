@@ -163,6 +163,16 @@ TEST_CASE("PCD: fields of several numbers per point, or of an unknown type, are 
     CHECK(file.value().attributes[0].values == std::vector<double>{6});
 }
 
+TEST_CASE("PCD: positions are double if one of their fields is") {
+    const std::string text =
+        "VERSION 0.7\nFIELDS x y z\nSIZE 4 8 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n"
+        "1 4000000.123456789 3\n";
+    const PointFile file = mustRead(text);
+    CHECK(file.positionType == ScalarType::Double);
+    CHECK(file.position[0].y == 4000000.123456789);
+    CHECK(mustRead(replaced(text, "4 8 4", "4 4 4")).positionType == ScalarType::Float);
+}
+
 TEST_CASE("PCD: a field named _ is padding, and whole numbers are no coordinates") {
     const std::string head = "VERSION 0.7\nFIELDS x y z _ i\nSIZE 4 4 4 4 4\nTYPE F F ";
     const std::string rest = " F F\nPOINTS 1\nDATA ascii\n1 2 3 4 5\n";
