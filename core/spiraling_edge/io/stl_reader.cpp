@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/lists.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/merged_points.h"
 #include "spiraling_edge/io/scalars.h"
@@ -117,13 +119,25 @@ class TextReader : LineByLine {
     }
 
   private:
+    /// Several keywords may stand in a line, but after other words, such as a name, they are none.
     bool readLine() {
+        constexpr std::array<std::string_view, 6> kKeywords{"facet",   "outer",    "vertex",
+                                                            "endloop", "endfacet", "endsolid"};
         Fields fields(lines_.line());
-        const std::string word = lowerCase(fields.next());
+        std::string word = lowerCase(fields.next());
+        ended_ = false;
+        if (!isAmong(word, kKeywords)) return true;
+        for (; !word.empty() && !ended_; word = lowerCase(fields.next())) {
+            if (!readWord(word, fields)) return false;
+        }
+        return true;
+    }
+
+    bool readWord(std::string_view word, Fields& fields) {
         ended_ = word == "endsolid";
+        if ((word == "facet" || ended_) && !corners_.empty())
+            return fail("the triangle before this line has no endfacet; correct it");
         if (word == "facet") {
-            if (!corners_.empty())
-                return fail("the triangle before this line has no endfacet; correct it");
             fields.next();  // "normal"
             return readVector(fields, normal_);
         }
@@ -152,10 +166,12 @@ bool isBinary(std::string_view bytes) {
 /// True for text, whose keywords may be in capitals.
 bool isText(std::string_view bytes) {
     constexpr std::size_t kLooked = 2000;
-    const std::string begin = lowerCase(bytes.substr(0, kLooked));
-    LineReader lines(begin);
-    return lines.nextContent() && Fields(lines.line()).next() == "solid" &&
-           begin.find("facet") != std::string::npos && !isBinary(bytes);
+    LineReader lines(bytes);
+    if (isBinary(bytes) || !lines.nextContent('#')) return false;
+    const std::string_view line = lines.line();
+    const auto at = static_cast<std::size_t>(line.data() - bytes.data());
+    return lowerCase(Fields(line).next()) == "solid" &&
+           lowerCase(bytes.substr(at, line.size() + kLooked)).find("facet") != std::string::npos;
 }
 
 }  // namespace

@@ -334,6 +334,15 @@ TEST_CASE("STL: corners at one place are one point, in text and binary") {
     CHECK(contains(errorOf(replaced(text, "endfacet\nfacet", "facet")), "has no endfacet"));
     CHECK(contains(errorOf(replaced(text, "endsolid\n", "")), "without endsolid"));
     CHECK(mustRead("\n " + replaced(text, "solid a", "SOLID a")).position.size() == 4);
+    CHECK(contains(errorOf(replaced(text, "endfacet\nendsolid", "endsolid")), "has no endfacet"));
+    // Several keywords in a line, a comment, and a name that is longer than what is looked at.
+    const PointFile joined = mustRead(replaced(replaced(text, "endfacet\nfacet", "endfacet facet"),
+                                               "loop\nvertex", "loop vertex"));
+    CHECK(joined.faces == file.faces);
+    CHECK(joined.normal == file.normal);
+    CHECK(mustRead("# made by x\n" + text, "a.stl").normal == file.normal);
+    CHECK(mustRead(replaced(text, "solid a", "solid a facet " + std::string(3000, 'n'))).normal ==
+          file.normal);
     CHECK_FALSE(readPoints("\nsolid x\nfacet normal 0 0 1\n", "a").ok());
     CHECK_FALSE(readPoints("solid", "a.stl").ok());
 
