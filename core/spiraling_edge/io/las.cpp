@@ -24,6 +24,8 @@ constexpr std::size_t kRecordSizeAt = 105;
 constexpr std::size_t kCountAt = 107;
 constexpr std::size_t kScaleAt = 131;
 constexpr std::size_t kOffsetAt = 155;
+constexpr std::size_t kWaveformsAt = 227;
+constexpr std::size_t kExtendedAt = 235;
 constexpr std::size_t kLongCountAt = 247;
 constexpr std::size_t kLeastHeader = 227;
 
@@ -109,11 +111,8 @@ class LasReader : FirstProblem {
                             std::to_string(begin_) +
                             "; the header is damaged: copy the file again");
         }
-        std::uint64_t count = at<std::uint32_t>(kCountAt);
-        const bool hasLongCount = at<std::uint8_t>(kMinorAt) >= 4 &&
-                                  at<std::uint16_t>(kHeaderSizeAt) >= kLongCountAt + 8 &&
-                                  bytes_.size() >= kLongCountAt + 8;
-        if (hasLongCount) count = std::max(count, at<std::uint64_t>(kLongCountAt));
+        const std::uint64_t count =
+            std::max<std::uint64_t>(at<std::uint32_t>(kCountAt), longAt(4, kLongCountAt));
         if (begin_ > bytes_.size() || count > (bytes_.size() - begin_) / recordSize_) {
             const std::uint64_t room =
                 begin_ > bytes_.size() ? 0 : (bytes_.size() - begin_) / recordSize_;
@@ -121,6 +120,33 @@ class LasReader : FirstProblem {
         }
         if (count >= kNone) return fail(kCountAt, "at most 4294967294 points can be read");
         count_ = static_cast<std::size_t>(count);
+        return checkRest();
+    }
+
+    /// A number of eight bytes that headers have from a version on; 0 before.
+    std::uint64_t longAt(std::uint8_t minor, std::size_t byte) const {
+        const bool isThere = at<std::uint8_t>(kMinorAt) >= minor && bytes_.size() >= byte + 8 &&
+                             at<std::uint16_t>(kHeaderSizeAt) >= byte + 8;
+        return isThere ? at<std::uint64_t>(byte) : 0;
+    }
+
+    /// Refuses more points than the header counts: whole records after the last one, up to what
+    /// may follow there.
+    bool checkRest() {
+        const std::size_t end = begin_ + count_ * recordSize_;
+        std::string_view rest = bytes_.substr(end);
+        for (const std::uint64_t next : {longAt(3, kWaveformsAt), longAt(4, kExtendedAt)}) {
+            if (next >= end && next < bytes_.size())
+                rest = rest.substr(0, static_cast<std::size_t>(next) - end);
+        }
+        if (rest.find_first_not_of('\0') == std::string_view::npos) return true;
+        if (rest.size() % recordSize_ == 0) {
+            return fail(kCountAt, "the header announces " + counted(count_, "point") + ", but " +
+                                      std::to_string(rest.size() / recordSize_) +
+                                      " more follow; correct it, e.g. with \"lasinfo "
+                                      "-i IN.las -repair_counters\"");
+        }
+        file_.notes.push_back("left out: " + counted(rest.size(), "byte") + " after the points");
         return true;
     }
 

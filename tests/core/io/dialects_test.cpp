@@ -381,6 +381,17 @@ TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
     std::string nowhere = lasOfTwo();
     nowhere.replace(96, 4, 4, '\0');
     CHECK(contains(errorOf(nowhere), "byte 96"));
+    // More points than the header counts, what else may follow, and zeros of a page.
+    const std::string record = lasOfTwo().substr(227, 26);
+    CHECK(contains(errorOf(lasOfTwo() + record), "announces 2 points, but 1 more follow"));
+    CHECK(notes(mustRead(lasOfTwo() + "user"), "left out: 4 bytes after the points"));
+    CHECK(mustRead(lasOfTwo() + std::string(52, '\0')).notes == file.notes);
+    std::string waves = lasOfTwo();
+    waves.insert(227, 8, '\0');
+    waves[25] = 3;
+    waves[94] = waves[96] = static_cast<char>(235);
+    waves.replace(227, 8, rawBytes(std::uint64_t{waves.size()}));
+    CHECK(mustRead(waves + record).notes == file.notes);
     std::string packed = lasOfTwo();
     packed[104] = '\x82';
     CHECK(contains(errorOf(packed), "laszip -i"));
