@@ -1,6 +1,7 @@
 // PTX, the format of Leica Cyclone: scans one after the other, each with its numbers of columns and
 // rows, the place and axes of the scanner, a 4 by 4 matrix, and one line per point.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -16,6 +17,8 @@ namespace {
 
 /// The most numbers of a line of the format: x y z, intensity and a color.
 constexpr std::size_t kMostNumbers = 7;
+/// More than the error of numbers that are whole but for rounding.
+constexpr double kRounded = 1e-6;
 
 /// The numbers of a line; none if a field is no number, or there are too many.
 class LineNumbers {
@@ -92,6 +95,10 @@ class PtxReader : LineByLine {
             if (!readNumbers(4, numbers)) return false;
             for (int i = 0; i < 3; ++i)
                 matrix_[static_cast<std::size_t>(row)][i] = numbers[static_cast<std::size_t>(i)];
+            if (std::abs(numbers[3] - (row < 3 ? 0.0 : 1.0)) <= kRounded) continue;
+            return fail(
+                "expected 0 0 0 1 in the last column of the matrix, and what is added to each "
+                "place in its last row; transpose the matrix, or export the scan again");
         }
         // At least "0 0 0 0" and a line end each, checked before the product is used.
         const std::uint64_t room = (lines_.rest().size() + 1) / 8;

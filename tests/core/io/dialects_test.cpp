@@ -186,6 +186,9 @@ TEST_CASE("PTX: each scan is moved by its matrix, and places without a return ar
         CHECK_FALSE(readPoints(scan.substr(0, size), "cut").ok());
     CHECK(contains(errorOf(replaced(scan, "2\n1\n", "4000000000\n4000000000\n")), "too short"));
     CHECK_FALSE(mustRead(replaced(scan, "5 6 7\n1 0 0\n", "1e400 6 7\n1 0 0\n"), "a").viewpoint);
+    CHECK(contains(errorOf(replaced(scan, "0 1 0 0\n-1", "0 1 0 5\n-1")),
+                   "line 7: expected 0 0 0 1"));
+    CHECK(contains(errorOf(replaced(scan, "5 6 7 1\n", "5 6 7 2\n")), "line 10: expected 0 0 0 1"));
     for (const char* row : {"1 2 x 0.5", "1 2 3 ", "1,5 2 3 0.5"})
         CHECK(contains(errorOf(replaced(scan, "1 2 3 0.5", row)), "line 11: expected x y z"));
 }
