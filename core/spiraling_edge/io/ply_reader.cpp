@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -110,7 +111,8 @@ class HeaderReader : LineByLine {
             return fail("expected \"element NAME COUNT\", found " + inQuotes(field) +
                         " for the count");
         }
-        if (findElement(header_, element.name) != nullptr)
+        properties_.clear();
+        if (!elements_.insert(element.name).second)
             return fail("element " + inQuotes(element.name) + " is announced twice");
         header_.elements.push_back(std::move(element));
         return true;
@@ -139,14 +141,15 @@ class HeaderReader : LineByLine {
         if (!readType(type, property.type)) return false;
         property.name = fields.next();
         if (property.name.empty()) return fail("the property has no name");
-        std::vector<PlyProperty>& known = header_.elements.back().properties;
-        if (findNamed(known, property.name))
+        if (!properties_.insert(property.name).second)
             return fail("property " + inQuotes(property.name) + " is announced twice");
-        known.push_back(std::move(property));
+        header_.elements.back().properties.push_back(std::move(property));
         return true;
     }
 
     PlyHeader header_;
+    std::set<std::string> elements_;
+    std::set<std::string> properties_;  // Of the last element.
     bool hasFormat_ = false;
 };
 

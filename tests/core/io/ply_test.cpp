@@ -217,6 +217,16 @@ TEST_CASE("PLY: a text row must hold as many values as the header announces") {
     CHECK(contains(errorOf(replaced(kFull, "255 0 0", "256 0 0")), "type uchar"));
 }
 
+TEST_CASE("PLY: each name of a header is looked up once" * doctest::timeout(5.0)) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
+        "property float y\nproperty float z\n";
+    for (int i = 0; i < 100000; ++i) text += "property float p" + std::to_string(i) + "\n";
+    for (int i = 0; i < 100000; ++i) text += "element e" + std::to_string(i) + " 0\n";
+    CHECK(readPoints(text + "end_header\n", "a.ply").ok());
+    CHECK(contains(errorOf(text + "element e7 0\nend_header\n"), "\"e7\" is announced twice"));
+}
+
 TEST_CASE("PLY: lists that lie are refused") {
     const std::string text =
         replaced(kFull, "list uchar uint vertex_index", "list char int vertex_index");
