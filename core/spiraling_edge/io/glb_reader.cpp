@@ -401,9 +401,8 @@ class GlbData : protected FirstProblem {
 // ---- the scene ----------------------------------------------------------------------------------
 
 /// Nodes may place a mesh many times: a small file could ask for any number of points. A file may
-/// have this many, and as many more as its size has room for.
-constexpr std::size_t kMostPlaced = 50'000'000;
-constexpr std::size_t kLeastVertex = 6;  ///< Bytes.
+/// have this many (about 1.5 GB of memory), and one more for each of its bytes.
+constexpr std::size_t kMostPlaced = 2'000'000;
 
 /// Modes of primitives.
 constexpr std::uint64_t kModePoints = 0;
@@ -476,6 +475,9 @@ class GlbReader : GlbData {
             glm::dmat4 own(1.0);
             if (!readMatrix(node, own)) return false;
             if (node.member("skin").isThere()) leftOut_.insert("skins: meshes are as stored");
+            for (const std::string& name : node.member("extensions").names) {
+                if (!isHarmless(name)) leftOut_.insert("extension " + excerpt(name) + " of nodes");
+            }
             if (!placeMesh(node.member("mesh"), outer * own) ||
                 !openNodes(node.member("children"), outer * own))
                 return false;
@@ -558,9 +560,11 @@ class GlbReader : GlbData {
     /// Counts what is about to be placed.
     bool mayPlace(const JsonValue& value, std::size_t count) {
         placed_ += count;
-        return placed_ <= kMostPlaced + fileSize() / kLeastVertex ||
-               fail(value.at, "the nodes place more than " + std::to_string(kMostPlaced) +
-                                  " points; export each mesh once");
+        const std::size_t most = kMostPlaced + fileSize();
+        return placed_ <= most ||
+               fail(value.at, "the nodes place more than " + std::to_string(most) +
+                                  " points, which is the limit for a file of this size; export "
+                                  "each mesh once");
     }
 
     /// The points of the vertices of a primitive; those of another primitive of the mesh with the
