@@ -234,6 +234,9 @@ std::string tipOf(const Pin& pin, const RunFailureSearch& found) {
            ".\nClick to show it.";
 }
 
+/// "×5": no number of a place.
+std::string countText(const Pin& pin) { return "\u00d7" + std::to_string(pin.count); }
+
 void drawHead(const PanelContext& context, const FaultPin& each) {
     const float em = context.em;
     ScreenPainter p(context);
@@ -254,7 +257,7 @@ void drawHead(const PanelContext& context, const FaultPin& each) {
     const Type type = pinType(context);
     p.text({head.min.x + 0.5F * head.size.x,
             std::round(head.min.y + 0.5F * (head.size.y - type.size))},
-           std::to_string(each.pin.count),
+           countText(each.pin),
            p.ink(alpha > kReadableFrom ? &Palette::background : &Palette::rejected), type);
 }
 
@@ -275,9 +278,8 @@ std::vector<FaultPin> offerFaultPins(const PanelContext& context) {
     }
     for (const Pin& pin : pinsOf(places, context.rects.view, context.em)) {
         const float width =
-            pin.count == 1
-                ? 0.0F
-                : ScreenPainter(context).textSize(std::to_string(pin.count), pinType(context)).x;
+            pin.count == 1 ? 0.0F
+                           : ScreenPainter(context).textSize(countText(pin), pinType(context)).x;
         FaultPin each{pin, headOf(pin, width, context.rects.view, context.em)};
         const std::string name = "pin " + std::to_string(pin.place + 1);
         ImGui::SetCursorScreenPos(toVec2(each.head.min));
