@@ -179,9 +179,8 @@ bool addWords(const toml::node& node, std::string_view key, SpecChange& change) 
 template <auto Member>
 bool readLayers(const toml::node& node, LessonStep& step) {
     return readValue(node, step.*Member) &&
-           std::all_of((step.*Member).begin(), (step.*Member).end(), [](const std::string& word) {
-               return std::find(kLayerNames.begin(), kLayerNames.end(), word) != kLayerNames.end();
-           });
+           std::all_of((step.*Member).begin(), (step.*Member).end(),
+                       [](const std::string& word) { return isAmong(word, kLayerNames); });
 }
 template <typename Target>
 bool readRules(const toml::node& node, Target& target) {

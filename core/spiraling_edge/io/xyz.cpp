@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <glm/common.hpp>
 #include <limits>
 #include <span>
 #include <string>
@@ -19,6 +18,7 @@
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se::io {
 namespace {
@@ -137,14 +137,9 @@ std::vector<std::string> namesOf(Look look) {
 /// or y lie on few levels of it, as walls and steps do, or within half the extent of the set, as a
 /// terrain does. Those along z may be anywhere: programs write 0 0 1 where they know no normal.
 bool suitPoints(const ExtraColumns& normals, std::span<const Vec3> position) {
-    Vec3 low(std::numeric_limits<double>::infinity());
-    Vec3 high = -low;
-    for (const Vec3& point : position) {
-        if (!isFinite(point)) continue;
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const WallBox box = boxAround(position);
+    const Vec3 sides = box.high - box.low;
+    const double extent = std::max({sides.x, sides.y, sides.z});
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::vector<double> levels;
         for (std::size_t p = 0; p < position.size(); ++p) {
@@ -305,6 +300,11 @@ std::vector<std::string> columnNames(std::vector<std::string> words) {
     return words;
 }
 
+/// Position of a name; the number of names if it is not there.
+std::size_t columnOf(const std::vector<std::string>& names, std::string_view name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 /// Names of columns, and their line.
 struct Header {
     std::vector<std::string> names;
@@ -312,9 +312,9 @@ struct Header {
 
     /// True for "y x z" and other orders of these side by side; words of a sentence are apart.
     bool turnsAxes() const {
-        const auto x = std::find(names.begin(), names.end(), "x") - names.begin();
-        const auto y = std::find(names.begin(), names.end(), "y") - names.begin();
-        const auto z = std::find(names.begin(), names.end(), "z") - names.begin();
+        const std::size_t x = columnOf(names, "x");
+        const std::size_t y = columnOf(names, "y");
+        const std::size_t z = columnOf(names, "z");
         return std::max({x, y, z}) - std::min({x, y, z}) == 2 && !(x < y && y < z);
     }
 };
@@ -652,7 +652,8 @@ class XyzReader : LineByLine {
         }
         axes_ = {0, 1, 2};
         const std::vector<std::string>& names = header_.names;
-        if (!names.empty()) axes_ = {find(names, "x"), find(names, "y"), find(names, "z")};
+        if (!names.empty())
+            axes_ = {columnOf(names, "x"), columnOf(names, "y"), columnOf(names, "z")};
         for (std::size_t column = 0; column < columns_; ++column) {
             if (!isAmong(column, axes_)) others_.push_back(column);
         }
@@ -752,19 +753,14 @@ class XyzReader : LineByLine {
                           "; name the columns in it, such as \"# x y z nx ny nz\", or remove it");
     }
 
-    /// Position of a name; the number of names if it is not there.
-    static std::size_t find(const std::vector<std::string>& names, std::string_view name) {
-        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
-                                        names.begin());
-    }
     bool has(std::string_view name) const { return isAmong(name, names_); }
 
     /// Moves nx, ny and nz out of the names, if all three are there.
     void takeNormals() {
         if (!has("nx") || !has("ny") || !has("nz")) return;
-        const std::size_t x = find(names_, "nx");
-        const std::size_t y = find(names_, "ny");
-        const std::size_t z = find(names_, "nz");
+        const std::size_t x = columnOf(names_, "nx");
+        const std::size_t y = columnOf(names_, "ny");
+        const std::size_t z = columnOf(names_, "nz");
         file_.normal.reserve(file_.position.size());
         for (std::size_t at = 0; at < extra_.values.size(); at += extra_.width()) {
             file_.normal.emplace_back(extra_.values[at + x], extra_.values[at + y],

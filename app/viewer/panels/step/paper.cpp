@@ -1,7 +1,7 @@
 // The Paper panel: the paper's pseudo-code with the current line highlighted.
-#include "document/actions.h"
 #include "rows/paper_text.h"
 
+#include "document/actions.h"
 #include "document/alert_actions.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
