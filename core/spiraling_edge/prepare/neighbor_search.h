@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 
@@ -24,11 +25,6 @@ inline double distanceSquared(const Vec3& p, const Vec3& q) {
     const Vec3 d = q - p;
     return d.x * d.x + d.y * d.y + d.z * d.z;
 }
-
-/// Cosine of 105 degrees: normals of one surface differ by less at its edges, most of which are
-/// right angles, than those of two sheets that face away from each other.
-inline constexpr double kSheetsCosine = -0.25881904510252076;
-inline constexpr double kRightAngle = 0.0;  ///< Its cosine.
 
 /// True if the surface at p and at q faces in opposite directions, by normals that differ by the
 /// angle of that cosine or more: then lists leave the pair out.

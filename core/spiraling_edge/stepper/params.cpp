@@ -36,7 +36,7 @@ Params robust() {
         r.rim = true;
     r.delay = r.shelve = r.fill = r.dropPatches = r.reinsert = r.closeHoles = r.flip = r.remesh =
         params.setNoiseAside = true;
-    params.opposingCosine = -0.25881904510252076;  // right-angled edges stay joined
+    params.opposingCosine = kSheetsCosine;  // right-angled edges stay joined
     return params;
 }
 

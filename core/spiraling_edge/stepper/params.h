@@ -197,6 +197,11 @@ struct RobustThresholds {
     friend bool operator==(const RobustThresholds&, const RobustThresholds&) = default;
 };
 
+inline constexpr double kRightAngle = 0.0;  ///< Its cosine.
+/// Cosine of 105 degrees: normals of one surface differ by less at its edges, most of which are
+/// right angles, than those of two sheets that face away from each other.
+inline constexpr double kSheetsCosine = -0.25881904510252076;
+
 /// All parameters of the stepper. Equal points and equal Params give equal steps.
 struct Params {
     Readings readings;
@@ -224,7 +229,7 @@ struct Params {
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
     /// ... from this angle between normals on; held as its cosine. 105 degrees in `robust`.
-    double opposingCosine = 0.0;
+    double opposingCosine = kRightAngle;
     /// Points are left out where noise is as wide as their spacing (see noise.h). On in `robust`.
     bool setNoiseAside = false;
     /// Points far from all others are left out (see strays.h). On in `corrected` and `robust`.

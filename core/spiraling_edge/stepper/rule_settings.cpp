@@ -24,7 +24,7 @@ double cosineOfDegrees(double degrees) {
         Known{45.0, 0.70710678118654752},
         Known{60.0, 0.5},
         Known{90.0, 0.0},
-        Known{105.0, -0.25881904510252076},
+        Known{105.0, kSheetsCosine},
         Known{120.0, -0.5},
         Known{150.0, -0.8660254037844386},
         Known{180.0, -1.0},
