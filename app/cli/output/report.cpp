@@ -272,8 +272,8 @@ std::string endingSentence(const RunOutcome& outcome) {
         outcome.params.maxTrianglesPerPoint);
 }
 
-/// What a mesh without faults may have all the same: "5 pieces torn off, 84 edges of holes"; empty
-/// if it has nothing of it.
+/// The counts that are not 0, which a mesh without faults may have too: "5 pieces torn off, 84
+/// edges of holes".
 std::string countsText(const MeshVerdict& verdict) {
     std::vector<std::string> words;
     for (const VerdictCount& each : verdictCounts()) {
