@@ -61,7 +61,11 @@ Reconstruction reconstruct(const PointSet& points, const Params& params,
                            const StopCondition& stop) {
     const auto run = [&](const PointSet& set) {
         Stepper stepper(set, params);
-        const StopReason reason = stop ? stepper.runUntil(stop) : stepper.run();
+        const auto stops = [&](const State& state) {
+            stepper.freePast();
+            return stop(state);
+        };
+        const StopReason reason = stop ? stepper.runUntil(stops) : stepper.run();
         return Reconstruction{stepper.takeState(), reason};
     };
     // What-ifs name points by their index.
