@@ -1,4 +1,4 @@
-/// Searches in lists and tables.
+/// Functions on lists and tables.
 #pragma once
 
 #include <algorithm>
@@ -48,6 +48,12 @@ template <typename Value>
 void sortUnique(std::vector<Value>& values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// Empties the list and frees its memory, which `list = {}` keeps.
+template <typename Value>
+void freeList(std::vector<Value>& list) {
+    list = std::vector<Value>();
 }
 
 }  // namespace se

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/box.h"
@@ -298,6 +299,7 @@ Status findWideLists(const InputFacts& facts, unsigned threads, PointSet& points
     NeighborOptions options;
     options.opposingCosine = kSheetsCosine;
     options.threads = threads;
+    points.neighbors = {};  // At once, they would take as much memory again.
     Result<NeighborLists> lists = findNeighbors(points.position, points.normal, usable, options);
     if (!lists) return lists.error();
     points.neighbors = std::move(lists.value());
@@ -315,7 +317,7 @@ Status findOpenings(unsigned threads, const Progress& progress, MeshJudge& judge
     judge.openings = std::move(rim.value().chains);
     judge.facts.openings = judge.openings.size();
     points.neighbors = {};
-    points.rim = {};
+    freeList(points.rim);
     return success();
 }
 

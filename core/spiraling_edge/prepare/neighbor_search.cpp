@@ -13,6 +13,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/rank_sort.h"
 #include "spiraling_edge/prepare/single_search.h"
@@ -273,7 +274,7 @@ class RangeSearch {
     void runInto(std::span<const Vec3> normal, const ListRule& rule, NeighborLists& lists) {
         run(normal, rule);
         writeLists(lists);
-        found_ = {};
+        freeList(found_);
     }
 
     std::size_t entries() const {

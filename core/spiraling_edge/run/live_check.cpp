@@ -113,7 +113,7 @@ class LiveCheck::Checker {
     void checkDone(Index p) {
         if (!used_[p]) add("lost_points", kNone, kNone, {p});
         if (!isOneFan(p)) add("non_manifold_vertices", kNone, kNone, {p});
-        trianglesAt_[p] = {};  // A DONE point gets no more triangles (§4).
+        freeList(trianglesAt_[p]);  // A DONE point gets no more triangles (§4).
     }
 
     /// True if the triangles at a point are connected by edges. One with that point twice is not.
