@@ -13,67 +13,14 @@ namespace se::view {
 
 namespace {
 
-/// Plain text of a line of Markdown: links by their words, without marks of emphasis and code.
-std::string plainText(std::string_view line) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char sign = line[i];
-        if (sign == '*' || sign == '`' || sign == '[') continue;
-        if (sign == ']' && i + 1 < line.size() && line[i + 1] == '(') {
-            i = std::min(line.find(')', i), line.size());
-            continue;
-        }
-        if (sign != ']') text += sign;
-    }
-    return text;
-}
-
-/// Draws the lines of a page, and joins those of a paragraph.
-class PageDrawing {
-  public:
-    explicit PageDrawing(const PanelContext& context) : context_(context) {}
-
-    void add(std::string_view line) {
-        if (line.starts_with("```")) {
-            end();
-            code_ = !code_;
-        } else if (code_) {
-            wrappedIn(context_.fonts.mono, std::string(line));
-        } else if (line.starts_with("#")) {
-            end();
-            ImGui::Spacing();
-            heading(context_, plainText(line.substr(line.find(' ') + 1)).c_str());
-        } else if (line.empty() || line.starts_with("<")) {
-            end();
-        } else {
-            if (line.starts_with("- ")) end();
-            if (!paragraph_.empty()) paragraph_ += ' ';
-            paragraph_ += line.starts_with("- ") ? line : trimmed(line);
-        }
-    }
-    void end() {
-        if (paragraph_.empty()) return;
-        wrappedText(plainText(paragraph_));
-        ImGui::Spacing();
-        paragraph_.clear();
-    }
-
-  private:
-    const PanelContext& context_;
-    std::string paragraph_;
-    bool code_ = false;
-};
-
 void drawGuide(const PanelContext& context) {
-    std::string_view page = embeddedFile("viewer.md");
-    page = page.substr(0, page.find("## Keys"));
-    PageDrawing drawing(context);
-    while (!page.empty()) {
-        const std::size_t end = std::min(page.find('\n'), page.size());
-        drawing.add(page.substr(0, end));
-        page.remove_prefix(std::min(end + 1, page.size()));
+    const std::string_view page = embeddedFile("viewer.md");
+    std::vector<teach::TextBlock> blocks = teach::textBlocks(page.substr(0, page.find("## Keys")));
+    // Links lead to other pages, which the program does not have.
+    for (teach::TextBlock& block : blocks) {
+        for (teach::TextSpan& span : block.spans) span.link.clear();
     }
-    drawing.end();
+    drawTextBlocks(context, blocks);
 }
 
 void drawAbout(const PanelContext& context) {

@@ -17,6 +17,7 @@
 #include "panel_state/forms.h"
 #include "panels/panel.h"
 #include "run/strings.h"
+#include "teach/lesson_text.h"
 
 namespace se::view {
 
@@ -106,6 +107,10 @@ auto nearestToPointer(const Items& items, float reach, const PlaceOf& placeOf) {
 }
 /// A line of text in this font.
 void textIn(ImFont* font, const std::string& text);
+/// Draws the blocks of a text, as wide as there is room. The target of the link that was clicked;
+/// empty if none was.
+std::string drawTextBlocks(const PanelContext& context,
+                           const std::vector<teach::TextBlock>& blocks);
 
 /// Begins a window without frame that fills `rect`. ImGui::End() must follow in any case.
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
