@@ -29,12 +29,6 @@ constexpr std::size_t kDots = 1500;
 /// Most points of the small picture of a figure that is sampled.
 constexpr std::size_t kTileSample = 400;
 
-/// A point as seen from beside and above: to the right, up, toward the viewer.
-struct Seen {
-    Vec3 at;
-    float facing = 0.0F;
-};
-
 /// The usual direction to the viewer: beside and above.
 Vec3 usualDirection() {
     const double yaw = glm::radians(-60.0);
@@ -79,6 +73,17 @@ PictureFrame frameOf(const PointFile& points, std::size_t limit, const Vec3& dir
     return frame;
 }
 
+/// Parts of a picture, each after its place toward the viewer: those at the back first.
+template <typename Part>
+std::vector<Part> backFirst(std::vector<std::pair<double, Part>> placed) {
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Part> parts;
+    parts.reserve(placed.size());
+    for (const auto& [place, part] : placed) parts.push_back(part);
+    return parts;
+}
+
 /// The triangles, those at the back first; `failing`: by their number.
 std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Triangle> triangles,
                                    const std::vector<bool>& failing, const PictureFrame& frame) {
@@ -97,21 +102,18 @@ std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Trian
         face.failure = t < failing.size() && failing[t];
         sorted.emplace_back(at[0].z + at[1].z + at[2].z, face);
     }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<ThumbnailFace> faces;
-    faces.reserve(sorted.size());
-    for (const auto& [depth, face] : sorted) faces.push_back(face);
-    return faces;
+    return backFirst(std::move(sorted));
 }
 
 /// An input as a tile shows it.
 struct TileInput {
     PointFile file;
     GivenStart start = {};
-    std::string_view at = {};       ///< The address at which the mesh is shown, or nothing.
-    std::string_view failure = {};  ///< What a scene of the gallery shows; empty for others.
+    std::string_view at = {};  ///< The address at which the mesh is shown, or nothing.
+    /// What a scene of the gallery shows on its finished mesh, or kNoFailure; empty for others.
+    std::string_view failure = {};
 };
+constexpr std::string_view kNoFailure = "none";
 
 /// The mesh of an input that works, as it is at the decision of a figure or of a lesson, otherwise
 /// half grown.
@@ -129,7 +131,7 @@ void drawGrown(const PointSet& points, const PictureFrame& frame, const TileInpu
     tile.faces = facesOf(points, reconstruct(points, params, enough).state.triangles, {}, frame);
 }
 
-/// The finished mesh of a scene that fails, with its failures.
+/// The finished mesh, with its failures of that name.
 void drawFailure(const PointSet& points, const PictureFrame& frame, std::string_view failure,
                  SceneTile& tile) {
     const std::vector<Triangle> triangles = reconstruct(points, Params{}).state.triangles;
@@ -152,16 +154,12 @@ Vec3 directionOf(const SceneTile& tile) {
     return scene ? tile.figure->view : usualDirection();
 }
 
-void drawDots(const PointFile& file, SceneTile& tile) {
-    tile.dots = thumbnail(file, kDots, directionOf(tile));
-    tile.reach = glm::vec2(0.0F);
-    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
-}
-
 /// Points and mesh of an input.
 void drawInput(const TileInput& input, SceneTile& tile) {
     const PointFile& file = input.file;
-    drawDots(file, tile);
+    tile.dots = thumbnail(file, kDots, directionOf(tile));
+    tile.reach = glm::vec2(0.0F);
+    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
     const Result<Prepared> prepared = prepare(file, PrepareOptions{});
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
@@ -172,12 +170,7 @@ void drawInput(const TileInput& input, SceneTile& tile) {
 
 /// A figure of the results, without its picture.
 SceneTile tileOf(const Figure& figure) {
-    SceneTile tile;
-    tile.id = figure.sample;
-    tile.title = figure.scene.title;
-    tile.watch = figure.scene.watch;
-    tile.figure = &figure;
-    return tile;
+    return {figure.sample, figure.scene.title, figure.scene.watch, 0.0, &figure};
 }
 
 /// The mesh of sampled points, fewer than the figure has.
@@ -185,22 +178,12 @@ void drawSample(SceneTile& tile) {
     Result<SampleSpec> spec = sampleFromSource(tile.id);
     if (!spec) return;
     spec.value().count = std::min(spec.value().count, kTileSample);
-    const Result<PointFile> file = samplePoints(spec.value(), {});
-    if (!file) return;
-    drawDots(file.value(), tile);
-    const Result<Prepared> prepared = prepare(file.value(), PrepareOptions{});
-    if (!prepared) return;
-    const PointSet& points = prepared.value().points;
-    tile.faces = facesOf(points, reconstruct(points, Params{}).state.triangles, {},
-                         frameOf(file.value(), kDots, directionOf(tile)));
+    if (const Result<PointFile> file = samplePoints(spec.value(), {}))
+        drawInput({file.value(), {}, {}, kNoFailure}, tile);
 }
 
 SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
-    SceneTile tile;
-    tile.id = scene.id;
-    tile.title = scene.title;
-    tile.watch = scene.watch;
-    tile.figure = figureOfScene(scene.id);
+    SceneTile tile{scene.id, scene.title, scene.watch, 0.0, figureOfScene(scene.id)};
     drawInput({scene.build(), startOfScene(scene.id),
                tile.figure != nullptr ? addressOfScene(scene.id) : std::string_view{},
                failing != nullptr ? failing->failure : std::string_view{}},
@@ -210,11 +193,7 @@ SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
 
 /// A lesson begins with a built-in scene, of the gallery or not, or with a pivot to practice.
 SceneTile tileOf(const LessonEntry& lesson) {
-    SceneTile tile;
-    tile.id = lesson.source;
-    tile.title = lesson.title;
-    tile.watch = lesson.text;
-    tile.minutes = lesson.minutes;
+    SceneTile tile{lesson.source, lesson.title, lesson.text, lesson.minutes};
     if (const auto seed = teach::practiceSeed(lesson.input)) {
         drawInput({teach::practiceFile(*seed), {}, lesson.at}, tile);
         return tile;
@@ -235,20 +214,15 @@ std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
     const std::size_t count = points.position.size();
     if (count == 0 || limit == 0) return {};
     const PictureFrame frame = frameOf(points, limit, direction);
-    std::vector<Seen> seen;
-    seen.reserve(std::min(count, limit));
+    std::vector<std::pair<double, ThumbnailDot>> dots;
+    dots.reserve(std::min(count, limit));
     for (std::size_t p = 0; p < count; p += strideFor(count, limit)) {
         const Vec3 at = frame.turn * points.position[p];
         if (!std::isfinite(at.x + at.y)) continue;
         const double facing = points.hasNormals() ? (frame.turn * points.normal[p]).z : 1.0;
-        seen.push_back({at, static_cast<float>(facing)});
+        dots.push_back({at.z, {frame.place(at), static_cast<float>(facing)}});
     }
-    std::stable_sort(seen.begin(), seen.end(),
-                     [](const Seen& a, const Seen& b) { return a.at.z < b.at.z; });
-    std::vector<ThumbnailDot> dots;
-    dots.reserve(seen.size());
-    for (const Seen& each : seen) dots.push_back({frame.place(each.at), each.facing});
-    return dots;
+    return backFirst(std::move(dots));
 }
 
 std::string sourceOf(const SceneTile& tile) {

@@ -38,11 +38,11 @@ struct SceneTile {
     std::string_view id;  ///< Of a scene; of a lesson and of sampled points their source.
     std::string_view title;
     std::string_view watch;
-    double minutes = 0.0;              ///< Length of a lesson; 0: of a scene.
-    const Figure* figure = nullptr;    ///< Null if the tile shows none.
-    std::vector<ThumbnailDot> dots;    ///< Those at the back first.
-    std::vector<ThumbnailFace> faces;  ///< Those at the back first.
-    std::vector<ThumbnailMark> marks;
+    double minutes = 0.0;                ///< Length of a lesson; 0: of a scene.
+    const Figure* figure = nullptr;      ///< Null if the tile shows none.
+    std::vector<ThumbnailDot> dots{};    ///< Those at the back first.
+    std::vector<ThumbnailFace> faces{};  ///< Those at the back first.
+    std::vector<ThumbnailMark> marks{};
     glm::vec2 reach{1.0F};  ///< Half the width and height that they take.
 };
 
