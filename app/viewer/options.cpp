@@ -46,17 +46,13 @@ std::string listOf(std::string text, std::string_view prefix, const Rows& rows, 
 
 /// Options of `spiraling-edge export`, which hands over to this program.
 struct RawExport {
-    std::string path;
+    RawExport() { order.viewer = webAddress(); }
+
+    ExportOrder order;
     std::string from;
     std::string to;
     std::string around;
     std::string unit;
-    std::string steps;
-    std::string captions;
-    std::string dial;
-    double perSecond = 2.0;
-    bool program = false;
-    std::string viewer{webAddress()};
 };
 
 constexpr const char* kHidden = "";
@@ -64,7 +60,7 @@ constexpr const char* kHidden = "";
 void requireExport(const CLI::App& app, const RawExport& raw) {
     for (const char* name : {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions",
                              "--fps", "--dial", "--app", "--viewer"}) {
-        if (raw.path.empty() && app.count(name) > 0)
+        if (raw.order.path.empty() && app.count(name) > 0)
             throw CLI::ValidationError(name, "is for spiraling-edge export");
     }
 }
@@ -85,9 +81,9 @@ void requireNoFrames(const CLI::App& app) {
 
 /// Throws if --viewer is given for another format than a page, or is no address for links.
 void requireViewer(const CLI::App& app, const RawExport& raw) {
-    if (app.count("--viewer") > 0 && lowerExtension(raw.path) != ".html")
+    if (app.count("--viewer") > 0 && lowerExtension(raw.order.path) != ".html")
         throw CLI::ValidationError("--viewer", "is for pages; name a file that ends in .html");
-    if (const Status good = checkViewerAddress(raw.viewer); !good)
+    if (const Status good = checkViewerAddress(raw.order.viewer); !good)
         throw CLI::ValidationError("--viewer", good.error().message);
 }
 
@@ -104,56 +100,44 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     const auto add = [&](const char* name, auto& value) {
         return app.add_option(name, value)->group(kHidden);
     };
-    add("--export", raw.path);
+    ExportOrder& order = raw.order;
+    add("--export", order.path);
     auto* from = add("--from", raw.from);
     from->needs(add("--to", raw.to)->needs(from));
     add("--around", raw.around)->excludes(from);
     add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(teach::kPlayUnits));
-    add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
-    add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
-    add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));
-    add("--fps", raw.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
-    add("--viewer", raw.viewer);
-    app.add_flag("--app", raw.program)->group(kHidden);
+    add("--lesson-steps", order.stepsText)->excludes(from)->excludes("--around");
+    add("--captions", order.captions)->check(CLI::IsMember({"on", "off"}));
+    add("--dial", order.dial)->check(CLI::IsMember({"on", "off"}));
+    add("--fps", order.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
+    add("--viewer", order.viewer);
+    app.add_flag("--app", order.program)->group(kHidden);
 }
 
 /// Checks and takes over all of them, except steps. Throws as takeOver() does.
 void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
     requireExport(app, raw);
     if (app.count("--export") == 0) return;
-    const bool ranged = !raw.from.empty() || !raw.around.empty() || !raw.steps.empty();
-    if (ranged && app.count("--goto") > 0)
+    const bool ranged = !raw.from.empty() || !raw.around.empty();
+    if ((ranged || !raw.order.stepsText.empty()) && app.count("--goto") > 0)
         throw CLI::ValidationError("--goto", "is one frame; --from, --around and --steps are more");
-    if (raw.program) requireNoFrames(app);
+    if (raw.order.program) requireNoFrames(app);
     requireViewer(app, raw);
-    ExportOrder order;
-    order.path = raw.path;
-    order.program = raw.program;
-    order.viewer = raw.viewer;
-    if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);
-    order.perSecond = raw.perSecond;
-    order.dial = raw.dial == "on";
-    order.captions = raw.captions != "off";
-    order.stepsText = raw.steps;
     if (o.input.source.empty()) throw CLI::ValidationError("export", "needs an input");
-    if (raw.path.empty()) throw CLI::ValidationError("-o", "needs the name of a file");
-    o.exported = std::move(order);
+    if (raw.order.path.empty()) throw CLI::ValidationError("-o", "needs the name of a file");
+    o.exported = raw.order;
+    if (ranged) o.exported->range = rangeOf(raw);
 }
 
 /// Options that need a check before they go into Options.
 struct RawOptions {
     SpecOptions run;
     SampleSpec grow;
-    double iso = 0.0;
     std::map<std::string_view, std::string> shared;  ///< Those of linkParts(), by name.
     std::string size;
     std::string other;
     std::string place;
-    std::string screenshot;
     std::string background;
-    std::string labels;
-    std::string shaders;
-    std::string result;
     RawExport exported;
     bool actions = false;
 };
@@ -166,26 +150,21 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
                                 "isosurface of a volume (" +
                                     wordList(volumeExtensions(), "") + ")")
                      ->type_name("SHAPE");
-    auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
-    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles))->needs(made);
-    app.add_option("--spacing", grow.spacing, "With --new: as many points as fit at distance S")
-        ->type_name("S")
+    const auto add = [&](const char* name, auto& value, const char* help, const char* type) {
+        return app.add_option(name, value, help)->type_name(type)->needs(made);
+    };
+    auto* count = add("-n,--points", grow.count, "With --new: exactly N points (2000)", "N");
+    count->check(CLI::Range(std::size_t{1}, kMaxParticles));
+    add("--spacing", grow.spacing, "With --new: as many points as fit at distance S", "S")
         ->check(CLI::PositiveNumber)
-        ->excludes(count)
-        ->needs(made);
-    app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
-    app.add_option("--seed", grow.seed, "With --new: seed of the random start positions")
-        ->type_name("S")
-        ->check(wholeNumber(0))
-        ->needs(made);
-    app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
-        ->type_name("X")
-        ->check(CLI::Range(0.0, 100.0))
-        ->needs(made);
-    app.add_option("--steps", grow.steps, "With --new: pause after N steps of spreading")
-        ->type_name("N")
-        ->check(CLI::Range(1, Sampler::allSteps()))
-        ->needs(made);
+        ->excludes(count);
+    add("--iso", grow.isovalue, "With --new: the isovalue", "V");
+    add("--seed", grow.seed, "With --new: seed of the random start positions", "S")
+        ->check(wholeNumber(0));
+    add("--curvature", grow.curvature, "With --new: denser where the surface bends", "X")
+        ->check(CLI::Range(0.0, 100.0));
+    add("--steps", grow.steps, "With --new: pause after N steps of spreading", "N")
+        ->check(CLI::Range(1, Sampler::allSteps()));
 }
 
 std::string optionOf(const LinkPart& part) { return "--" + std::string(part.name); }
@@ -225,17 +204,19 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--place", raw.place,
                    "Start at an address with a camera, as a session has them (JSON)")
         ->type_name("TEXT");
-    app.add_option("--result", raw.result, "Save answers to the questions of the lesson there")
+    app.add_option("--result", o.resultFile, "Save answers to the questions of the lesson there")
         ->type_name("FILE");
     app.add_option("--size", raw.size,
                    "Size of the window or picture in pixels, for example 1280x800");
-    app.add_option("--screenshot", raw.screenshot,
+    app.add_option("--screenshot", o.screenshot,
                    "Write a picture of the window and quit; needs no display");
     app.add_option("--background", raw.background,
                    "With --screenshot: the view alone, on the background of the theme, or on none "
                    "(transparent)")
         ->check(CLI::IsMember({"theme", "none"}));
-    app.add_option("--labels", raw.labels, "Text, axes, pins and legends over the view: on or off")
+    app.add_option("--labels", o.picture.labels,
+                   "Text, axes, pins and legends over the view: on or off")
+        ->type_name("TEXT")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--scale", o.picture.scale,
                    "With --screenshot: X times as many pixels as --size, with the same content")
@@ -254,7 +235,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag(std::string(kForceOption), o.force, std::string(kForceHelp));
     app.add_flag("--no-config", o.noConfig,
                  "Do not read or write settings, layout and recent files");
-    app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
+    app.add_option("--shaders", o.shaders, "Read the shaders from this folder");
     app.add_flag("--keys", o.cheatSheet, "Start with the list of keys open");
     app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and quit");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
@@ -265,7 +246,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
 }
 
 /// New points of --new; --box clips their surface. Throws as takeOver() does.
-void takeOverGrowing(const CLI::App& app, const RawOptions& raw, Options& o) {
+void takeOverGrowing(const RawOptions& raw, Options& o) {
     if (!o.input.source.empty())
         throw CLI::ValidationError("--new", "cannot be combined with a FILE");
     o.grow = raw.grow;
@@ -274,7 +255,6 @@ void takeOverGrowing(const CLI::App& app, const RawOptions& raw, Options& o) {
     if (o.input.walls.from == WallChoice::From::Box) o.grow->box = o.input.walls.box;
     o.input.walls = {};
     std::erase_if(o.given, [](const FieldValue& each) { return each.field->key == "box"; });
-    if (app.count("--iso") > 0) o.grow->isovalue = raw.iso;
     if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
 }
 
@@ -315,7 +295,7 @@ void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
         o.grow->surface = std::exchange(o.input.source, {});
         o.grow->count = kUsualPoints;
     }
-    if (app.count("--new") > 0) takeOverGrowing(app, raw, o);
+    if (app.count("--new") > 0) takeOverGrowing(raw, o);
 }
 
 /// Throws the errors that CLI11 reports as wrong usage.
@@ -344,7 +324,7 @@ void takeOver(const RawOptions& raw, Options& o) {
 }
 
 /// Fails before any work if `path` cannot be written.
-void requireWritable(const std::string& path, const char* option) {
+void requireWritable(const std::filesystem::path& path, const char* option) {
     if (const Status status = AtomicFile::check(path); !status)
         throw CLI::ValidationError(option, status.error().message);
 }
@@ -354,8 +334,7 @@ void takeOverPicture(const RawOptions& raw, Options& o) {
     PictureLook& look = o.picture;
     look.viewAlone = !raw.background.empty();
     look.cutOut = raw.background == "none";
-    look.labels = raw.labels != "off";
-    const bool written = !raw.screenshot.empty() || !raw.exported.path.empty();
+    const bool written = !o.screenshot.empty() || !raw.exported.order.path.empty();
     if (!written && (look.viewAlone || look.supersample > 1 || look.scale != 1.0))
         throw CLI::ValidationError("--background, --scale, --supersample", "need --screenshot");
     const glm::ivec2 size = o.size.value_or(glm::ivec2(1280, 800));
@@ -368,9 +347,10 @@ void takeOverPicture(const RawOptions& raw, Options& o) {
 }
 
 /// Pictures are PNG; another extension would promise another format.
-void requirePngName(const std::string& path) {
+void requirePngName(const std::filesystem::path& path) {
     if (lowerExtension(path) == ".png") return;
-    throw CLI::ValidationError("--screenshot " + path, "pictures are written as .png only");
+    throw CLI::ValidationError("--screenshot " + path.string(),
+                               "pictures are written as .png only");
 }
 
 }  // namespace
@@ -547,10 +527,10 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         takeOverPicture(raw, o);
         takeOverExport(app, raw.exported, o);
         if (app.count("--screenshot") > 0) {
-            requirePngName(raw.screenshot);
-            requireWritable(raw.screenshot, "--screenshot");
+            requirePngName(o.screenshot);
+            requireWritable(o.screenshot, "--screenshot");
         }
-        if (app.count("--result") > 0) requireWritable(raw.result, "--result");
+        if (app.count("--result") > 0) requireWritable(o.resultFile, "--result");
         const bool ofLesson = app.count("--step") + app.count("--result") > 0;
         if (ofLesson && !isLesson(o.input.source))
             throw CLI::ValidationError("--step, --result", "need a lesson as FILE");
@@ -569,9 +549,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         return {std::nullopt, kExitGood};
     }
     if (!raw.other.empty() && !o.layout) o.layout = LayoutPreset::Compare;
-    o.screenshot = raw.screenshot;
-    o.shaders = raw.shaders;
-    o.resultFile = raw.result;
     return {std::move(o), kExitGood};
 }
 
