@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <glm/geometric.hpp>
 
 #include "compare/compared_runs.h"
 #include "document.h"
@@ -115,11 +114,7 @@ void resetRules(C& c) {
     c.document.rerun(rules);
 }
 
-void clearWhatIfs(C& c) {
-    RunSpec rules = c.session.input().rules();
-    rules.whatIf.clear();
-    c.document.rerun(rules);
-}
+void clearWhatIfs(C& c) { c.document.rerun(trueRunOf(c.session.input().rules())); }
 
 void openBrowser(C& c, BrowserTask task) {
     c.ui.browser = task;

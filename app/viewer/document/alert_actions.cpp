@@ -13,6 +13,7 @@
 #include "run/overview.h"
 #include "run/strings.h"
 #include "session/playback.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/spec/run_spec.h"
 
@@ -24,14 +25,12 @@ namespace {
 /// without a fault was found.". Requires alerts of the new run.
 std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
     assert(alerts.done());
-    const std::vector<MeshFailure>& all = alerts.found()->all;
-    const auto wider = static_cast<std::size_t>(std::count_if(
-        all.begin(), all.end(),
-        [&](const MeshFailure& each) { return isLoop(each) && widthOf(each) > closing.width; }));
+    const std::size_t wider = countWhere(alerts.found()->all, [&](const MeshFailure& each) {
+        return isLoop(each) && widthOf(each) > closing.width;
+    });
     const std::size_t open = alerts.openLoops().count;
     const std::size_t closed = closing.before > open ? closing.before - open : 0;
-    std::string text = "Closed " + grouped(closed) + " of " + grouped(closing.before) +
-                       (closing.before == 1 ? " open loop" : " open loops");
+    std::string text = "Closed " + grouped(closed) + " of " + withS(closing.before, "open loop");
     if (wider > 0) text += "; " + grouped(wider) + " wider than " + shortNumber(closing.width);
     const std::size_t refused = open - wider;
     if (refused > 0) text += "; for " + grouped(refused) + " no filling without a fault was found";
@@ -259,9 +258,8 @@ std::string whyNone(const RunAlerts& alerts, const std::string& name) {
     if (!alerts.complaint().empty()) return alerts.complaint();
     const std::span<const RunFailure> failures = alerts.failures();
     if (failures.empty()) return "the run has no such failure; it has none at all.";
-    const auto count = std::count_if(failures.begin(), failures.end(), [&](const RunFailure& each) {
-        return each.failure.kind == kind;
-    });
+    const std::size_t count =
+        countWhere(failures, [&](const RunFailure& each) { return each.failure.kind == kind; });
     const char* has = alerts.complete() ? "the run has no such failure; it has "
                                         : "no such failure is listed; the run has ";
     return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +

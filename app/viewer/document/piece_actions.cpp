@@ -66,9 +66,7 @@ bool hasEnclosed(CommandContext& c) {
 
 }  // namespace
 
-std::string insideText(std::size_t count) {
-    return grouped(count) + (count == 1 ? " point inside" : " points inside");
-}
+std::string insideText(std::size_t count) { return withS(count, "point") + " inside"; }
 
 void enclosePoints(CommandContext& context, glm::vec2 size, std::span<const glm::vec2> path) {
     Session& session = context.session;

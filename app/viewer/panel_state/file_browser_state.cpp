@@ -29,10 +29,6 @@ bool endsIn(const fs::path& path) {
     return name.size() > Extension.size() && lowerCase(name).ends_with(Extension);
 }
 
-std::string countText(std::size_t count, const char* one, const char* many) {
-    return grouped(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace
 
 void FileBrowsing::readFolder(const fs::path& next) {
@@ -126,15 +122,13 @@ void MeshForm::clearLines() {
 }
 
 std::string sizeText(std::size_t triangles, std::size_t points, std::size_t allPoints) {
-    return countText(triangles, "triangle", "triangles") + ", " +
-           (points == allPoints ? "" : grouped(points) + " of ") +
-           countText(allPoints, "point", "points");
+    return withS(triangles, "triangle") + ", " +
+           (points == allPoints ? "" : grouped(points) + " of ") + withS(allPoints, "point");
 }
 
 std::string savedText(const SavedMesh& saved) {
-    std::string text = "Saved " + countText(saved.triangles, "triangle", "triangles");
-    if (lowerExtension(saved.target.path) != ".stl")
-        text += " and " + countText(saved.points, "point", "points");
+    std::string text = "Saved " + withS(saved.triangles, "triangle");
+    if (lowerExtension(saved.target.path) != ".stl") text += " and " + withS(saved.points, "point");
     text += " to " + saved.target.path + ".";
     if (saved.shift) {
         text += " Positions are relative to " + shiftText(*saved.shift) +

@@ -7,6 +7,7 @@
 
 #include "run/strings.h"
 #include "session/session.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/why/what_if_check.h"
 
@@ -93,7 +94,7 @@ std::string noOfferText(const Event& event) {
     }
     const Stage stage = event.address.stage;
     const auto isOneOf = [stage](std::initializer_list<Stage> stages) {
-        return std::find(stages.begin(), stages.end(), stage) != stages.end();
+        return isAmong(stage, stages);
     };
     if (isOneOf({Stage::Pivot, Stage::Advance}))
         return "Select a point of a ring to continue at another one; the tests of this pivot come "
@@ -172,14 +173,6 @@ RunSpec withWhatIf(const RunSpec& rules, const WhatIf& what) {
         return place && kind && (each.point == what.point || what.kind == WhatIfKind::Pivot);
     });
     made.whatIf.push_back(what);
-    return made;
-}
-
-RunSpec withoutWhatIf(const RunSpec& rules, std::size_t i) {
-    RunSpec made = rules;
-    if (i < made.whatIf.size()) {
-        made.whatIf.erase(made.whatIf.begin() + static_cast<std::ptrdiff_t>(i));
-    }
     return made;
 }
 

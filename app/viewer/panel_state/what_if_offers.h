@@ -48,7 +48,5 @@ struct WhatIfForm {
 std::uint32_t forkPivot(const Session& session);
 /// `rules` with one more what-if; it replaces one about the same thing at the same place.
 RunSpec withWhatIf(const RunSpec& rules, const WhatIf& what);
-/// `rules` without the what-if at position `i`.
-RunSpec withoutWhatIf(const RunSpec& rules, std::size_t i);
 
 }  // namespace se::view

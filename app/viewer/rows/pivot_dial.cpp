@@ -208,8 +208,7 @@ class Maker {
         dial_.caption = formatted("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
     }
     void show(const EmitEvidence&) {
-        dial_.caption = std::to_string(picture_.newTriangles.size()) +
-                        (picture_.newTriangles.size() == 1 ? " triangle" : " triangles");
+        dial_.caption = withS(picture_.newTriangles.size(), "triangle");
     }
     void show(const InsertEvidence& e) {
         dial_.slots.push_back({0.0, "before", e.verdict == Verdict::Before});

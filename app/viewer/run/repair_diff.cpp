@@ -65,7 +65,7 @@ std::array<std::string, 2> wordsOf(const MeshChange& change) {
     return {grouped(change.gone->size() - change.turned) + " of " + grouped(change.before) +
                 " triangles go",
             grouped(change.made->size() - change.turned) + " come" + turn + ", in " +
-                grouped(change.regions) + (change.regions == 1 ? " region" : " regions")};
+                withS(change.regions, "region")};
 }
 
 std::vector<ComponentStretch> componentsOf(std::span<const Triangle> repaired,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 #include "spiraling_edge/base/number_text.h"
@@ -27,6 +26,10 @@ std::string grouped(std::size_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\xE2\x80\x89");
     return text;
+}
+
+std::string withS(std::size_t number, std::string_view noun) {
+    return grouped(number).append(" ").append(noun).append(number == 1 ? "" : "s");
 }
 
 void printLines(std::FILE* stream, std::string_view text) {

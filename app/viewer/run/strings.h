@@ -27,6 +27,8 @@ inline constexpr std::string_view kBlanks = " \t\r\n";
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
 std::string grouped(std::size_t number);
+/// "1 pivot", "12 345 pivots".
+std::string withS(std::size_t number, std::string_view noun);
 /// Prints text as printableLines(). A message of one line is passed through printable() before.
 void printLines(std::FILE* stream, std::string_view text);
 /// All bytes of a file; empty if it cannot be read.

@@ -250,24 +250,18 @@ void drawPrepared(const PanelContext& context, CompareForm& form) {
 }
 
 void drawWhatIfs(const PanelContext& context, CompareForm& form) {
-    const auto& all = form.rules.whatIf;
+    std::vector<WhatIf>& all = form.rules.whatIf;
     const std::string note = all.empty() ? "none" : counted(all.size(), "change", "changes");
     if (!beginPart(context, "What if", note, "Decisions of the rules that B overrides")) return;
     ImGui::PushID("what if");
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
+    drawRemovable(all, [&](const WhatIf& each, std::size_t i) {
         const bool gone =
             smallButton(context, "x", "compare what if " + std::to_string(i + 1), "Remove from B");
         ImGui::SameLine();
-        ImGui::TextUnformatted(
-            fittedName(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
-        tooltip(describe(all[i]));
-        ImGui::PopID();
-        if (gone) {
-            form.rules = withoutWhatIf(form.rules, i);
-            break;
-        }
-    }
+        ImGui::TextUnformatted(fittedName(lineOf(each), ImGui::GetContentRegionAvail().x).c_str());
+        tooltip(describe(each));
+        return gone;
+    });
     ImGui::SetNextItemWidth(-1.0F);
     if (textField("##line", "137.sphere keep 812, Enter", form.whatIf,
                   ImGuiInputTextFlags_EnterReturnsTrue))
@@ -302,8 +296,7 @@ void drawCompareForm(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     CompareForm& form = page.form;
     const RunSpec& here = context.session().input().spec();
-    if (!page.now->refusal().empty())
-        wrappedText("! " + page.now->refusal(), context.palette.rejected);
+    complain(context, page.now->refusal());
     dimText("B, to compare with the open run:");
     drawRuleFields(context, form);
     drawPrepared(context, form);
@@ -317,7 +310,7 @@ void drawCompareForm(const PanelContext& context) {
     }
     ImGui::SameLine();
     dimText(difference == kNoDifference ? "B is the same as A" : difference);
-    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    complain(context, form.complaint);
     ImGui::Spacing();
     drawShortcuts(context);
 }
@@ -356,13 +349,11 @@ void drawCounts(const PanelContext& context, const Compared& found) {
 /// The deciding line of one run.
 void drawSide(const PanelContext& context, const char* name, const DifferenceSide& side,
               const Color& color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     const std::string title =
         std::string(name) + "  " +
         (side.line ? toString(side.line->event.address) : std::string("the run has ended")) +
         (side.line && !side.decides ? "  instead" : "");
-    textIn(context.fonts.strong, title);
-    ImGui::PopStyleColor();
+    textIn(context.fonts.strong, title, color);
     // The line is also shown below the views, once the cursor is there.
     if (side.line) tooltip(describe(side.line->event));
 }
@@ -436,9 +427,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
 
 /// "A" or "B", before the text of the run.
 void drawLetter(const PanelContext& context, const char* letter, const Color& color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-    textIn(context.fonts.strong, letter);
-    ImGui::PopStyleColor();
+    textIn(context.fonts.strong, letter, color);
     ImGui::SameLine();
 }
 
@@ -563,8 +552,7 @@ void drawCompare(const PanelContext& context) {
     drawNames(context);
     if (!page.now->complaint().empty())
         return wrappedText("! " + page.now->complaint(), context.palette.rejected);
-    if (!page.now->refusal().empty())
-        wrappedText("! " + page.now->refusal(), context.palette.rejected);
+    complain(context, page.now->refusal());
     const Compared* found = page.result();
     // A trace that has changed is compared again beside the result before.
     if (found == nullptr && page.now->working()) return drawWorking(context);

@@ -30,12 +30,11 @@ void offer(const PanelContext& context, const RunSpec& rules, const WhatIf& what
 
 void drawPresent(const PanelContext& context, const RunSpec& rules) {
     Session& session = context.session();
-    for (std::size_t i = 0; i < rules.whatIf.size(); ++i) {
-        const WhatIf& what = rules.whatIf[i];
-        ImGui::PushID(static_cast<int>(i));
+    RunSpec left = rules;
+    drawRemovable(left.whatIf, [&](const WhatIf& what, std::size_t i) {
         const std::string number = std::to_string(i + 1);
-        if (smallButton(context, "x", "what if remove " + number, "Remove this what-if"))
-            context.document().rerun(withoutWhatIf(rules, i));
+        const bool gone =
+            smallButton(context, "x", "what if remove " + number, "Remove this what-if");
         ImGui::SameLine();
         if (selectable(context, fittedName(lineOf(what), ImGui::GetContentRegionAvail().x), false,
                        "what if " + number, describe(what) + "\nClick to go there."))
@@ -43,8 +42,9 @@ void drawPresent(const PanelContext& context, const RunSpec& rules) {
         const std::string& problem = session.input().whatIfProblem(i);
         if (!problem.empty() && !session.input().isRerunning())
             wrappedText("No effect. " + problem, context.palette.rejected);
-        ImGui::PopID();
-    }
+        return gone;
+    });
+    if (left != rules) context.document().rerun(left);
     if (rules.whatIf.empty()) return ImGui::TextDisabled("%s", kNoWhatIfs);
     if (textButton(context, "Remove all what-ifs", "what if clear"))
         context.run("edit.whatif.clear");

@@ -247,7 +247,7 @@ bool saveDialogWaits(const PanelContext& context) {
 /// Draws the fields below the line with the name; a format may change the extension in `name`.
 void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path) {
     MeshForm& form = context.state<MeshForm>();
-    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    complain(context, form.complaint);
     if (form.saving) return drawWork(context);
     if (!form.question.empty()) return drawReplaceQuestion(context);
     drawFormats(
@@ -264,7 +264,7 @@ void drawMeshFields(const PanelContext& context, std::string& name, const std::s
 
 void drawExportFields(const PanelContext& context, std::string& name) {
     ExportForm& form = context.state<ExportForm>();
-    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    complain(context, form.complaint);
     if (form.working) return drawProgress(context);
     drawFormats(
         context, form, exportFormats(), name, "export ",
@@ -465,7 +465,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
             openSource(context, source);
         }
     }
-    if (!state.error.empty()) wrappedText("! " + state.error, context.palette.rejected);
+    complain(context, state.error);
 }
 
 /// Files of the reader's machine: the program does not see them before they are chosen.

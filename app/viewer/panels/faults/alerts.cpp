@@ -234,25 +234,13 @@ void drawChosen(const PanelContext& context) {
 }
 
 void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()), ImGui::GetTextLineHeightWithSpacing());
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const AlertRow& row = rows[static_cast<std::size_t>(i)];
-            switch (row.kind) {
-                case AlertRow::Kind::Place:
-                    drawPlace(context, row.number);
-                    break;
-                case AlertRow::Kind::Class:
-                    drawClass(context, context.session().alerts().groups()[row.number]);
-                    break;
-                case AlertRow::Kind::Alert:
-                    drawRow(context, row.number);
-                    break;
-            }
-        }
-    }
-    clipper.End();
+    drawSeen(rows.size(), ImGui::GetTextLineHeightWithSpacing(), [&](std::size_t i) {
+        const AlertRow& row = rows[i];
+        if (row.kind == AlertRow::Kind::Place) drawPlace(context, row.number);
+        if (row.kind == AlertRow::Kind::Alert) drawRow(context, row.number);
+        if (row.kind == AlertRow::Kind::Class)
+            drawClass(context, context.session().alerts().groups()[row.number]);
+    });
 }
 
 /// All rows; details of the chosen alert are below its row.

@@ -1,5 +1,4 @@
 // The part Verdict: the faults of the finished mesh, and the next actions.
-#include <algorithm>
 
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
@@ -10,6 +9,7 @@
 #include "run/model.h"
 #include "run/strings.h"
 #include "session/session.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -194,9 +194,8 @@ void drawActions(const PanelContext& context, const RunAlerts& alerts) {
 /// The record of an input in which points were set aside, or problems found: "1 350 points; set
 /// aside: 450 where a missing value was written; 0.02 between points". Empty for others.
 std::string inputText(const Model& model, const DoctorJob& doctor) {
-    const auto problems = static_cast<std::size_t>(
-        std::count_if(doctor.findings().begin(), doctor.findings().end(),
-                      [](const Finding& finding) { return finding.isProblem(); }));
+    const std::size_t problems =
+        countWhere(doctor.findings(), [](const Finding& each) { return each.isProblem(); });
     if (!doctor.done() || (model.aside.empty() && problems == 0)) return {};
     std::string text = withS(model.pointsInPiece, "point");
     const char* before = "; set aside: ";
@@ -225,10 +224,7 @@ void drawFound(const PanelContext& context, const RunAlerts& alerts) {
     const std::string title = !faulty              ? "The mesh is sound"
                               : verdict.places > 0 ? "Not sound: " + placesText(verdict)
                                                    : verdictText(alerts);
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          toVec4(faulty ? context.palette.rejected : context.palette.used));
-    textIn(context.fonts.strong, title);
-    ImGui::PopStyleColor();
+    textIn(context.fonts.strong, title, faulty ? context.palette.rejected : context.palette.used);
     nameItem(context, "verdict title", verdictText(alerts));
     dimText(meshText(*alerts.found(), context.session().model()));
     if (const std::string& by = context.session().model().judged; !by.empty())

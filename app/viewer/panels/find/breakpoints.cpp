@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "document/actions.h"
 #include "document/ask_actions.h"
@@ -281,17 +282,14 @@ void drawBreakLog(const PanelContext& context) {
     ImGui::Spacing();
     heading(context, "Log", grouped(rows.size()));
     if (ImGui::BeginChild("##log", {0.0F, 12.0F * context.em})) {
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(rows.size()),
-                      rowHeight(context) + ImGui::GetStyle().ItemSpacing.y);
-        while (clipper.Step()) {
-            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                ImGui::PushID(i);
-                drawLogRow(context, rows[static_cast<std::size_t>(i)]);
-                if (i == clipper.DisplayStart) nameItem(context, "log row");
-                ImGui::PopID();
-            }
-        }
+        bool first = true;
+        drawSeen(rows.size(), rowHeight(context) + ImGui::GetStyle().ItemSpacing.y,
+                 [&](std::size_t i) {
+                     ImGui::PushID(static_cast<int>(i));
+                     drawLogRow(context, rows[i]);
+                     if (std::exchange(first, false)) nameItem(context, "log row");
+                     ImGui::PopID();
+                 });
     }
     ImGui::EndChild();
 }

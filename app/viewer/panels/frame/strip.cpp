@@ -21,6 +21,7 @@
 #include "session/playback.h"
 #include "session/session.h"
 #include "session/session_file.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/run/event_text.h"
 #include "view_parts.h"
 
@@ -279,9 +280,7 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
 const StageRun* runAtCursor(const PanelContext& context) {
     const auto& runs = context.state<Navigation>().steps.runs();
     const std::size_t cursor = context.session().cursor();
-    const auto at = std::find_if(runs.begin(), runs.end(),
-                                 [&](const StageRun& run) { return run.contains(cursor); });
-    return at == runs.end() ? nullptr : &*at;
+    return rowWhere(runs, [&](const StageRun& run) { return run.contains(cursor); });
 }
 
 void drawPivotStrip(const PanelContext& context, const Rect& area) {

@@ -21,7 +21,7 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
     ImGui::SameLine();
     if (textButton(context, "Reset", "prepare cancel", "Back to the options of the open input"))
         form.close();
-    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    complain(context, form.complaint);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "scene/palette.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/run/event_text.h"
 #include "teach/lesson_text.h"
@@ -33,17 +34,11 @@ std::string minutesText(double minutes) {
     return sixDigits(std::round(2.0 * minutes) / 2.0) + " minutes";
 }
 
-/// Why a lesson could not be opened.
-void drawComplaint(const PanelContext& context) {
-    const std::string& complaint = context.commands.lesson.opening().complaint();
-    if (!complaint.empty()) wrappedText("! " + complaint, context.palette.rejected);
-}
-
 /// The lessons of the program.
 void drawLessons(const PanelContext& context) {
     wrappedText("A lesson walks through a run step by step, and asks before it shows.");
     ImGui::Spacing();
-    drawComplaint(context);
+    complain(context, context.commands.lesson.opening().complaint());
     for (const LessonEntry& each : lessonEntries()) {
         if (selectable(context, each.title, false, "open " + each.source, each.text))
             context.document().open(each.source);
@@ -392,20 +387,17 @@ void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
     if (!walk.right().answer.moves.empty()) return drawSolution(context, walk);
     const std::vector<Index>& right = walk.right().answer.points;
     const std::vector<Index>& given = walk.state().given.points;
-    const auto among = [](const std::vector<Index>& points, Index point) {
-        return std::find(points.begin(), points.end(), point) != points.end();
-    };
     std::size_t listed = 0;
     const std::vector<Event>& decisions = walk.right().shown;
     for (std::size_t i = 0; i < decisions.size(); ++i) {
         const Event& event = decisions[i];
         const Index point = subjectOf(event);
-        const bool isRight = among(right, point);
-        if (!isRight && !among(given, point) && !explainsOther(walk, i)) continue;
+        const bool isRight = isAmong(point, right);
+        if (!isRight && !isAmong(point, given) && !explainsOther(walk, i)) continue;
         if (++listed > kMaxListed) return;
         if (listed == 1) ImGui::Spacing();
         const std::string address = toString(event.address);
-        const bool agrees = !walk.state().grade || isRight == among(given, point);
+        const bool agrees = !walk.state().grade || isRight == isAmong(point, given);
         ImGui::PushID(static_cast<int>(listed));
         ImGui::PushStyleColor(ImGuiCol_Text,
                               toVec4(agrees ? context.palette.used : context.palette.rejected));
@@ -441,7 +433,7 @@ void drawLesson(const PanelContext& context) {
     }
     const LessonWalk& walk = context.state<LessonPanel>().walk;
     if (!walk.isOpen()) return drawLessons(context);
-    drawComplaint(context);
+    complain(context, context.commands.lesson.opening().complaint());
     drawHead(context, walk);
     const float foot = footRows(context, walk) * ImGui::GetFrameHeightWithSpacing();
     ImGui::PushID(static_cast<int>(walk.step()));

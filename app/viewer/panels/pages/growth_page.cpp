@@ -144,7 +144,7 @@ void drawGrowthForm(const PanelContext& context) {
                    "Spread these particles (Enter in a field, or " + context.key("run.start") + ")",
                    -1.0F))
         context.commands.sampling.start();
-    if (!page.complaint.empty()) wrappedText("! " + page.complaint, context.palette.rejected);
+    complain(context, page.complaint);
 }
 
 // ---- The bar and the view -----------------------------------------------------------------------

@@ -1,8 +1,6 @@
 // The Rings panel: active and stacked rings, and one of them unrolled as a line.
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "document/ui_state.h"
@@ -234,13 +232,7 @@ void drawList(const PanelContext& context, float height, float row) {
     ImGui::TableSetupColumn("mark", ImGuiTableColumnFlags_WidthFixed, 2.0F * context.em);
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 4.2F * context.em);
     ImGui::TableSetupColumn("length", ImGuiTableColumnFlags_WidthStretch);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rings.size()));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(context, rings[static_cast<std::size_t>(i)]);
-        }
-    }
+    drawSeen(rings.size(), -1.0F, [&](std::size_t i) { drawRow(context, rings[i]); });
     snapToRows(row);
     ImGui::EndTable();
 }

@@ -411,20 +411,14 @@ void drawStepRows(const PanelContext& context, const StepColumns& columns) {
     StepRow chosen;
     const bool keyboard = context.state<KeyWalk>().offer(KeyStop::Steps);
     const std::size_t first = cursorRow.value_or(0);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
-    if (keyboard)
-        clipper.ForceDisplayRangeByIndices(static_cast<int>(first), static_cast<int>(first) + 1);
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const auto row = static_cast<std::size_t>(i);
-            const RowAction wanted =
-                drawRow(context, row, cursorRow == row, keyboard && row == first, columns);
-            if (wanted == RowAction::None) continue;
-            action = wanted;
-            chosen = tree.row(row);
-        }
-    }
+    const auto draw = [&](std::size_t row) {
+        const RowAction wanted =
+            drawRow(context, row, cursorRow == row, keyboard && row == first, columns);
+        if (wanted == RowAction::None) return;
+        action = wanted;
+        chosen = tree.row(row);
+    };
+    drawSeen(tree.rowCount(), pitch, draw, keyboard ? std::optional(first) : std::nullopt);
     // After all rows: they may change here.
     if (action == RowAction::Go) goTo(context, chosen);
     if (action == RowAction::Toggle) toggle(context, chosen);

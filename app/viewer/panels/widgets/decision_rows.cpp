@@ -199,13 +199,9 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     const LinePosition place = positionOfCursor(rows, context.session());
     RowDrawer drawer(context, rows, place);
     follow(context, rows, place, ImGui::GetCursorPosY(), drawer.pitch());
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.lines.size()), drawer.pitch());
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            if (drawer.draw(static_cast<std::size_t>(i))) chosen = static_cast<std::size_t>(i);
-        }
-    }
+    drawSeen(rows.lines.size(), drawer.pitch(), [&](std::size_t i) {
+        if (drawer.draw(i)) chosen = i;
+    });
     ImGui::PopStyleVar();
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
 }

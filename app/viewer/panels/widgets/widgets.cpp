@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "document/ui_state.h"
@@ -183,6 +182,12 @@ void textIn(ImFont* font, const std::string& text) {
     ImGui::PopFont();
 }
 
+void textIn(ImFont* font, const std::string& text, const Color& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    textIn(font, text);
+    ImGui::PopStyleColor();
+}
+
 bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
     ImGui::SetNextWindowPos(toVec2(rect.min));
     ImGui::SetNextWindowSize(toVec2(rect.size));
@@ -305,6 +310,10 @@ void wrappedText(const std::string& text, const Color& color) {
     ImGui::PopStyleColor();
 }
 
+void complain(const PanelContext& context, const std::string& complaint) {
+    if (!complaint.empty()) wrappedText("! " + complaint, context.palette.rejected);
+}
+
 void wrappedIn(ImFont* font, const std::string& text) {
     ImGui::PushFont(font);
     wrappedText(text);
@@ -419,10 +428,6 @@ std::string_view wordOf(const Event& event) {
         return alertName(alert->kind);
     }
     return {};
-}
-
-std::string withS(std::size_t number, const char* word) {
-    return grouped(number) + " " + word + (number == 1 ? "" : "s");
 }
 
 std::string noPivotText(const Session& session) {

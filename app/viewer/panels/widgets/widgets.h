@@ -84,6 +84,20 @@ void drawRemovable(Items& items, const Draw& draw) {
     }
     if (gone < items.size()) items.erase(items.begin() + static_cast<std::ptrdiff_t>(gone));
 }
+/// Draws those of `count` rows that can be seen, by `draw(number)`, and the row `kept` in any case.
+/// `pitch`: their height in pixels; -1: that of the first.
+template <class Draw>
+void drawSeen(std::size_t count, float pitch, const Draw& draw,
+              std::optional<std::size_t> kept = std::nullopt) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), pitch);
+    const int row = static_cast<int>(kept.value_or(0));
+    if (kept) clipper.ForceDisplayRangeByIndices(row, row + 1);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw(static_cast<std::size_t>(i));
+    }
+}
 /// Width of a text in the current type.
 inline float textWidth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 /// A dim text `margin` pixels before the right end of the current line.
@@ -105,8 +119,9 @@ auto nearestToPointer(const Items& items, float reach, const PlaceOf& placeOf) {
     }
     return best;
 }
-/// A line of text in this font.
+/// A line of text in this font, and in a color of its own.
 void textIn(ImFont* font, const std::string& text);
+void textIn(ImFont* font, const std::string& text, const Color& color);
 /// Draws the blocks of a text, as wide as there is room. The target of the link that was clicked;
 /// empty if none was.
 std::string drawTextBlocks(const PanelContext& context,
@@ -149,6 +164,8 @@ void takeKeyboardHere();
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
+/// What is wrong, in the color of errors; nothing if the text is empty.
+void complain(const PanelContext& context, const std::string& complaint);
 /// wrappedText() in another font.
 void wrappedIn(ImFont* font, const std::string& text);
 /// The text with those line breaks, for other items.
@@ -186,8 +203,6 @@ std::vector<std::string> wrapped(const std::string& text, float width);
 /// Outcome of an event without a verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
 std::string_view wordOf(const Event& event);
-/// "1 pivot", "12 pivots".
-std::string withS(std::size_t number, const char* word);
 /// Why there is no pivot at the cursor.
 std::string noPivotText(const Session& session);
 /// "137.sphere.3", or "start".
