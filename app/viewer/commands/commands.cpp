@@ -22,6 +22,7 @@
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -528,9 +529,7 @@ std::string_view reasonAmong(std::span<const Need> needs, const Command& command
 std::span<const Command> commands() { return kCommands; }
 
 const Command* findCommand(std::string_view id) {
-    const auto found = std::find_if(kCommands.begin(), kCommands.end(),
-                                    [&](const Command& each) { return each.id == id; });
-    return found == kCommands.end() ? nullptr : &*found;
+    return rowWhere(kCommands, [&](const Command& each) { return each.id == id; });
 }
 
 std::string listActions() {
@@ -585,10 +584,9 @@ constexpr std::array<std::string_view, 15> kAside = {
 /// Carries out the meaning of `command` on the page with new points. False: it has its usual
 /// meaning.
 bool runOnGrowthPage(const Command& command, CommandContext& context) {
-    const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
-                                    [&](const Meaning& m) { return m.id == command.id; });
-    if (found != kMeanings.end()) {
-        (context.sampling.*found->act)();
+    const auto is = [&](const Meaning& each) { return each.id == command.id; };
+    if (const Meaning* meaning = rowWhere(kMeanings, is)) {
+        (context.sampling.*meaning->act)();
         return true;
     }
     if (command.id == "file.save" || command.id == "file.saveas" ||
@@ -657,10 +655,8 @@ std::vector<PaletteEntry> paletteEntries() {
         entries.push_back({PaletteEntry::Kind::Action, each.title, each.group, each.synonyms,
                            each.id, each.help});
     for (const PartRow& part : partRows()) {
-        const auto all = commands();
-        const bool known = std::any_of(
-            all.begin(), all.end(), [&](const Command& each) { return each.title == part.title; });
-        if (!known)
+        const auto is = [&](const Command& each) { return each.title == part.title; };
+        if (rowWhere(kCommands, is) == nullptr)
             entries.push_back({PaletteEntry::Kind::Panel, part.title, "Panel", part.synonyms,
                                part.title, "Show this panel."});
     }

@@ -392,8 +392,7 @@ struct LinkReading {
 
 /// Fails if a name that may stand once stands again.
 Status takeOnce(LinkReading& reading, std::string_view name) {
-    if (std::find(reading.single.begin(), reading.single.end(), name) != reading.single.end())
-        return Error{inQuotes(name) + " stands twice in the link."};
+    if (isAmong(name, reading.single)) return Error{inQuotes(name) + " stands twice in the link."};
     reading.single.push_back(name);
     return success();
 }

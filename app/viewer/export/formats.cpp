@@ -8,6 +8,7 @@
 #include "render/context.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/word_list.h"
 
 namespace se::view {
@@ -56,10 +57,8 @@ std::span<const ExportFormat> exportFormats() { return kFormats; }
 
 const ExportFormat* exportFormatOf(const fs::path& path) {
     const std::string extension = namesFolder(path) ? ".png" : lowerExtension(path);
-    const auto found =
-        std::find_if(kFormats.begin(), kFormats.end(),
-                     [&](const ExportFormat& each) { return each.extension == extension; });
-    return found == kFormats.end() ? nullptr : &*found;
+    return rowWhere(kFormats,
+                    [&](const ExportFormat& each) { return each.extension == extension; });
 }
 
 std::string exportExtensions() {

@@ -1,10 +1,10 @@
 #include "order.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <variant>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/run_cursor.h"
 #include "spiraling_edge/stepper/event.h"
@@ -67,8 +67,7 @@ Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_
         }
         at = comma + 1;
     }
-    std::sort(steps.begin(), steps.end());
-    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    sortUnique(steps);
     return steps;
 }
 

@@ -15,6 +15,7 @@
 #include "run/packed_file.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/lists.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_skeleton.h"
@@ -25,10 +26,6 @@ namespace se::view {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isAmong(const std::vector<std::string>& names, const Layer& layer) {
-    return std::find(names.begin(), names.end(), layer.name) != names.end();
-}
 
 /// The input as it stands in a lesson in `folder`.
 Result<std::string> inputFrom(const std::filesystem::path& folder, const std::string& source) {
@@ -433,8 +430,8 @@ void ShownStep::enter(const LessonWalk& walk) {
     c_.session.select(Selection::of(points));
     for (const Layer& layer : layers()) {
         LayerMode& mode = modeOf(c_.ui.settings.layers, layer.id);
-        const bool hides = isAmong(step.hide, layer);
-        if (!hides && !isAmong(step.pin, layer)) continue;
+        const bool hides = isAmong(layer.name, step.hide);
+        if (!hides && !isAmong(layer.name, step.pin)) continue;
         layers_.emplace_back(layer.id, mode);
         mode = hides ? LayerMode::PinnedOff : LayerMode::PinnedOn;
     }
@@ -510,11 +507,8 @@ bool isAllowedDuringQuestion(const Command& command) {
         "step.pivot.previous", "step.event.next", "step.event.previous", "step.pivot.finish",
         "run.start",           "lesson.next",     "lesson.previous",     "lesson.return",
         "lesson.close"};
-    const auto among = [](const auto& list, std::string_view word) {
-        return std::find(list.begin(), list.end(), word) != list.end();
-    };
     if (command.id == "view.layout.compare") return false;
-    return among(kGroups, command.group) || among(kOthers, command.id);
+    return isAmong(command.group, kGroups) || isAmong(command.id, kOthers);
 }
 
 namespace {

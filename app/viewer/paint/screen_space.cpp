@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "scene/screen_rect.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -91,8 +92,7 @@ std::vector<std::uint32_t> DepthPicture::visible() const {
         const bool fresh = i == 0 || number_[i] != number_[i - 1];
         if (fresh && number_[i] != kNobody) seen.push_back(number_[i]);
     }
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    sortUnique(seen);
     return seen;
 }
 

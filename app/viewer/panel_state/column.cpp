@@ -1,6 +1,6 @@
 #include "column.h"
 
-#include <algorithm>
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -21,10 +21,7 @@ constexpr std::array<TaskRow, kTaskCount> kTasks = {{
 std::span<const TaskRow> taskRows() { return kTasks; }
 
 const PartRow* partNamed(std::string_view title) {
-    const auto rows = partRows();
-    const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const PartRow& each) { return each.title == title; });
-    return found == rows.end() ? nullptr : &*found;
+    return rowWhere(partRows(), [&](const PartRow& each) { return each.title == title; });
 }
 
 bool isOpen(const FoldedParts& parts, const PartRow& part) {

@@ -10,6 +10,7 @@
 #include "run/repair_diff.h"
 #include "run/selection.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/rules.h"
@@ -347,8 +348,8 @@ std::string lengthOf(const std::vector<RingPath>& rings) {
 
 void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const auto& changes = in.picture.ringChanges;
-    const auto inserted = static_cast<std::size_t>(std::count_if(
-        changes.begin(), changes.end(), [](const RingEvidence& each) { return each.inserted; }));
+    const std::size_t inserted =
+        countWhere(changes, [](const RingEvidence& each) { return each.inserted; });
     out.row("point", pointsText({e.point}, in.names));
     out.row("change", e.inserted ? "inserted" : "removed");
     const int before = e.inserted ? e.status - 1 : std::max(e.status, 0) + 1;
@@ -549,9 +550,8 @@ void addLeastAngles(const EvidenceInput& in, EvidenceRows& out) {
 /// Number of triangles that are against their normals.
 void addFlipped(const EvidenceInput& in, EvidenceRows& out) {
     const auto flipped = [&](const std::vector<Triangle>& triangles) {
-        return std::to_string(
-            std::count_if(triangles.begin(), triangles.end(),
-                          [&](const Triangle& t) { return isFlipped(in.model.points, t); }));
+        return std::to_string(countWhere(
+            triangles, [&](const Triangle& t) { return isFlipped(in.model.points, t); }));
     };
     out.row("flipped ones", flipped(in.picture.goneTriangles) + " \xE2\x86\x92 " +
                                 flipped(in.picture.newTriangles));

@@ -9,6 +9,7 @@
 #include "run/embedded_files.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/reading.h"
@@ -99,11 +100,10 @@ struct LineOfPaper {
 
 const PaperRule& paperRule(Stage stage) {
     static const std::vector<PaperRule> rules = readRules("paper_text.txt");
-    const auto found = std::find_if(rules.begin(), rules.end(), [&](const PaperRule& rule) {
-        const std::vector<std::string> stages = io::wordsIn(rule.stages);
-        return std::find(stages.begin(), stages.end(), stageName(stage)) != stages.end();
+    const PaperRule* found = rowWhere(rules, [&](const PaperRule& rule) {
+        return isAmong(stageName(stage), io::wordsIn(rule.stages));
     });
-    assert(found != rules.end());
+    assert(found != nullptr);
     return *found;
 }
 
@@ -175,9 +175,9 @@ bool isNamed(const PaperWord& row, std::string_view word) {
 std::span<const PaperWord> paperWords() { return words(); }
 
 std::string definitionOf(std::string_view word) {
-    const auto found = std::find_if(words().begin(), words().end(),
-                                    [&](const PaperWord& row) { return isNamed(row, word); });
-    if (found == words().end()) return {};
+    const PaperWord* found =
+        rowWhere(words(), [&](const PaperWord& row) { return isNamed(row, word); });
+    if (found == nullptr) return {};
     return found->words.substr(0, found->words.find('|')) + " (paper, " + found->section +
            "): " + found->sentence;
 }

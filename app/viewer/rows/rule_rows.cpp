@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "run/strings.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 
@@ -29,11 +29,10 @@ constexpr std::string_view kBeyond = "Beyond the paper";
 
 std::string titleOfGroup(const RuleSetting& setting) {
     if (setting.beyondPaper) return std::string(kBeyond);
-    const auto row = std::find_if(kTitles.begin(), kTitles.end(), [&](const SectionTitle& each) {
-        return each.section == setting.section;
-    });
+    const auto* row = rowWhere(
+        kTitles, [&](const SectionTitle& each) { return each.section == setting.section; });
     std::string title(setting.section);
-    if (row != kTitles.end()) title += " " + std::string(row->title);
+    if (row != nullptr) title += " " + std::string(row->title);
     return title;
 }
 
@@ -65,11 +64,9 @@ std::vector<RuleGroup> ruleGroups(const RunSpec& rules, std::string_view filter)
 }
 
 std::size_t differingCount(const RunSpec& rules) {
-    const auto rows = ruleSettings();
-    return static_cast<std::size_t>(
-        std::count_if(rows.begin(), rows.end(), [&](const RuleSetting& each) {
-            return valueOf(rules, each) != usualValueOf(rules, each);
-        }));
+    return countWhere(ruleSettings(), [&](const RuleSetting& each) {
+        return valueOf(rules, each) != usualValueOf(rules, each);
+    });
 }
 
 std::string ruleSentence(const RuleRow& row) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
 
@@ -108,9 +109,8 @@ std::string_view fixText(Fix fix) {
 std::vector<std::string> safeFixes(std::span<const Finding> findings) {
     std::vector<std::string> fixes;
     for (const Fix kind : {Fix::Repair, Fix::Orient, Fix::Derive}) {
-        const auto found = std::find_if(findings.begin(), findings.end(),
-                                        [kind](const Finding& f) { return f.check->fix == kind; });
-        if (found != findings.end()) fixes.emplace_back(found->check->name);
+        const auto is = [kind](const Finding& each) { return each.check->fix == kind; };
+        if (const Finding* found = rowWhere(findings, is)) fixes.emplace_back(found->check->name);
     }
     return fixes;
 }

@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/base/types.h"
@@ -382,11 +383,8 @@ Result<Loaded> loadInput(const RunSpec& spec, LoadProgress& progress) {
 
 const FailureScene* galleryScene(std::string_view idOrSource) {
     if (isScene(idOrSource)) idOrSource.remove_prefix(kScenePrefix.size());
-    const auto all = failureScenes();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const FailureScene& each) {
-        return each.scene.id == idOrSource;
-    });
-    return found == all.end() ? nullptr : &*found;
+    return rowWhere(failureScenes(),
+                    [&](const FailureScene& each) { return each.scene.id == idOrSource; });
 }
 
 std::string_view openingAddress(std::string_view source) {
@@ -407,8 +405,7 @@ std::vector<Index> neighborhoodOf(const DecisionState& picture) {
     std::vector<Index> all;
     const auto add = [&](std::initializer_list<Index> points) {
         for (const Index point : points) {
-            const bool known = std::find(all.begin(), all.end(), point) != all.end();
-            if (point != kNone && !known) all.push_back(point);
+            if (point != kNone && !isAmong(point, all)) all.push_back(point);
         }
     };
     add({picture.pivot, picture.start, picture.end, picture.first, picture.last, picture.underTest,

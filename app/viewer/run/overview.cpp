@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "spiraling_edge/base/disjoint_sets.h"
-#include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/run/reading.h"
 
 namespace se::view {
@@ -41,8 +41,7 @@ constexpr std::uint64_t edgeKey(Index from, Index to) { return std::uint64_t{fro
 
 /// Number of distinct values.
 std::size_t countDifferent(std::vector<Index>& points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sortUnique(points);
     return points.size();
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "session.h"
+#include "spiraling_edge/base/lists.h"
 
 namespace se::view {
 
@@ -37,12 +38,11 @@ void addEdge(const Session& session, const Selection& edge, SelectionFacts& fact
     facts.ring = ringWith(session.picture().rings, edge);
     facts.triangles = session.meshIndex().atEdge(session.triangles(), a, b);
     const std::span<const Triangle> shown = session.shownTriangles();
-    facts.trianglesPresent = static_cast<std::size_t>(
+    facts.trianglesPresent =
         session.picture().repaired
-            ? std::count_if(shown.begin(), shown.end(),
-                            [&](const Triangle& t) { return hasCorner(t, a) && hasCorner(t, b); })
-            : std::count_if(facts.triangles.begin(), facts.triangles.end(),
-                            [&](std::uint32_t t) { return t < shown.size(); }));
+            ? countWhere(shown,
+                         [&](const Triangle& t) { return hasCorner(t, a) && hasCorner(t, b); })
+            : countWhere(facts.triangles, [&](std::uint32_t t) { return t < shown.size(); });
     if (!facts.triangles.empty()) facts.number = facts.triangles.front();
     facts.present = facts.trianglesPresent > 0 || !facts.ring.empty();
 }
