@@ -1,7 +1,8 @@
 // The menu bar: a table of rows for each menu, the box with the address, and what is open.
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "document/actions.h"
 #include "document/document.h"
@@ -11,6 +12,7 @@
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"
 #include "session/session.h"
+#include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -182,106 +184,94 @@ void drawTasks(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// One row of a menu: a command, or a submenu, drawn by a function or by its rows; neither: a line
-/// between parts.
-struct MenuRow {
-    std::string_view id = {};
-    void (*submenu)(const PanelContext& context) = nullptr;
-    const char* title = nullptr;  ///< Of the submenu of `rows`.
-    std::span<const MenuRow> rows = {};
+/// A menu, or a submenu that draws itself.
+struct Menu {
+    const char* title;
+    /// Ids of commands, titles of submenus, and kLine between parts.
+    std::span<const std::string_view> rows = {};
+    void (*draw)(const PanelContext& context) = nullptr;
 };
 
-constexpr MenuRow kLine;
-constexpr std::array kDirections = {
-    MenuRow{"view.front"},    MenuRow{"view.back"},         MenuRow{"view.right"},
-    MenuRow{"view.left"},     MenuRow{"view.top"},          MenuRow{"view.bottom"},
-    MenuRow{"view.opposite"}, MenuRow{"view.orthographic"}, MenuRow{{}, drawUpAxes}};
-constexpr std::array kLayers = {MenuRow{"layer.normals"}, MenuRow{"layer.labels"},
-                                MenuRow{"layer.edges"},   MenuRow{"layer.spheres"},
-                                MenuRow{"layer.links"},   MenuRow{"layer.stack"},
-                                MenuRow{"view.legend"},   MenuRow{"view.names"}};
-constexpr std::array kLooks = {MenuRow{"view.theme"}, MenuRow{"view.larger"},
-                               MenuRow{"view.smaller"}, MenuRow{"view.fullscreen"},
-                               MenuRow{"view.strips"}};
-constexpr std::array kFile = {MenuRow{"file.open"},
-                              MenuRow{{}, drawRecent},
-                              MenuRow{{}, drawSceneMenu},
-                              MenuRow{"file.new.shape"},
-                              MenuRow{"file.new.volume"},
-                              kLine,
-                              MenuRow{"file.savemesh"},
-                              MenuRow{"file.save"},
-                              MenuRow{"file.saveas"},
-                              MenuRow{"file.export"},
-                              MenuRow{"file.screenshot"},
-                              MenuRow{"step.copy"},
-                              kLine,
-                              MenuRow{"file.restart"},
-                              MenuRow{"file.quit"}};
-constexpr std::array kEdit = {MenuRow{"edit.undo"},
-                              MenuRow{"edit.redo"},
-                              kLine,
-                              MenuRow{"edit.piece"},
-                              MenuRow{"edit.rules.reset"},
-                              MenuRow{"edit.whatif.clear"},
-                              kLine,
-                              MenuRow{"notes.bookmark"},
-                              MenuRow{"step.copy"},
-                              MenuRow{"step.paste"},
-                              MenuRow{"file.copycommand"}};
-constexpr std::array kRun = {
-    MenuRow{"run.play"},    MenuRow{"step.event.next"},  MenuRow{"step.pivot.next"},
-    MenuRow{"run.start"},   MenuRow{"run.end"},          kLine,
-    MenuRow{"run.break"},   MenuRow{"run.continue"},     MenuRow{"step.alert.next"},
-    MenuRow{"ask.why"},     MenuRow{"ask.query"},        kLine,
-    MenuRow{"run.compare"}, MenuRow{"run.compare.mesh"}, MenuRow{"run.compare.stop"}};
-constexpr std::array kView = {MenuRow{"view.frame"},
-                              MenuRow{"view.all"},
-                              MenuRow{"view.home"},
-                              MenuRow{"view.follow"},
-                              MenuRow{{}, nullptr, "Direction", kDirections},
-                              kLine,
-                              MenuRow{{}, nullptr, "Layers", kLayers},
-                              MenuRow{{}, drawMeshStyles},
-                              MenuRow{{}, drawPointTints},
-                              kLine,
-                              MenuRow{{}, drawLayouts},
-                              MenuRow{{}, drawTasks},
-                              MenuRow{{}, nullptr, "Window", kLooks}};
-constexpr std::array kHelp = {
-    MenuRow{"help.guide"},   MenuRow{"help.tour"}, MenuRow{"help.practice"}, kLine,
-    MenuRow{"help.palette"}, MenuRow{"help.keys"}, MenuRow{"help.editkeys"}, kLine,
-    MenuRow{"help.about"}};
+constexpr std::string_view kLine;
+constexpr std::string_view kDirections[] = {"view.front",    "view.back",         "view.right",
+                                            "view.left",     "view.top",          "view.bottom",
+                                            "view.opposite", "view.orthographic", "Up axis"};
+constexpr std::string_view kLayers[] = {"layer.normals", "layer.labels", "layer.edges",
+                                        "layer.spheres", "layer.links",  "layer.stack",
+                                        "view.legend",   "view.names"};
+constexpr std::string_view kLooks[] = {"view.theme", "view.larger", "view.smaller",
+                                       "view.fullscreen", "view.strips"};
+constexpr Menu kSubmenus[] = {{"Recent", {}, drawRecent},
+                              {"Scenes", {}, drawSceneMenu},
+                              {"Direction", kDirections},
+                              {"Up axis", {}, drawUpAxes},
+                              {"Layers", kLayers},
+                              {"Mesh", {}, drawMeshStyles},
+                              {"Points", {}, drawPointTints},
+                              {"Layout", {}, drawLayouts},
+                              {"Panels", {}, drawTasks},
+                              {"Window", kLooks}};
+constexpr std::string_view kFile[] = {"file.open",
+                                      "Recent",
+                                      "Scenes",
+                                      "file.new.shape",
+                                      "file.new.volume",
+                                      kLine,
+                                      "file.savemesh",
+                                      "file.save",
+                                      "file.saveas",
+                                      "file.export",
+                                      "file.screenshot",
+                                      "step.copy",
+                                      kLine,
+                                      "file.restart",
+                                      "file.quit"};
+constexpr std::string_view kEdit[] = {"edit.undo",  "edit.redo",        kLine,
+                                      "edit.piece", "edit.rules.reset", "edit.whatif.clear",
+                                      kLine,        "notes.bookmark",   "step.copy",
+                                      "step.paste", "file.copycommand"};
+constexpr std::string_view kRun[] = {
+    "run.play",    "step.event.next",  "step.pivot.next", "run.start", "run.end",   kLine,
+    "run.break",   "run.continue",     "step.alert.next", "ask.why",   "ask.query", kLine,
+    "run.compare", "run.compare.mesh", "run.compare.stop"};
+constexpr std::string_view kView[] = {
+    "view.frame", "view.all", "view.home", "view.follow", "Direction", kLine,   "Layers",
+    "Mesh",       "Points",   kLine,       "Layout",      "Panels",    "Window"};
+constexpr std::string_view kHelp[] = {"help.guide",    "help.tour",    "help.practice",
+                                      kLine,           "help.palette", "help.keys",
+                                      "help.editkeys", kLine,          "help.about"};
 /// On a phone, above the others: what other windows have beside the menus.
-constexpr std::array kPhone = {MenuRow{"step.goto"}, MenuRow{"view.layers"}, MenuRow{"view.legend"},
-                               MenuRow{"notes.show"}, kLine};
-constexpr std::array kMenus = {
-    MenuRow{{}, nullptr, "File", kFile}, MenuRow{{}, nullptr, "Edit", kEdit},
-    MenuRow{{}, nullptr, "Run", kRun}, MenuRow{{}, nullptr, "View", kView},
-    MenuRow{{}, nullptr, "Help", kHelp}};
+constexpr std::string_view kPhone[] = {"step.goto", "view.layers", "view.legend", "notes.show",
+                                       kLine};
+constexpr Menu kMenus[] = {
+    {"File", kFile}, {"Edit", kEdit}, {"Run", kRun}, {"View", kView}, {"Help", kHelp}};
 
-void drawMenu(const PanelContext& context, const char* title, std::span<const MenuRow> rows);
+void drawMenu(const PanelContext& context, const Menu& menu);
 
-void drawMenuRows(const PanelContext& context, std::span<const MenuRow> rows) {
-    for (const MenuRow& row : rows) {
-        if (row.submenu != nullptr) {
-            row.submenu(context);
-        } else if (row.title != nullptr) {
-            drawMenu(context, row.title, row.rows);
-        } else if (row.id.empty()) {
+void drawMenuRows(const PanelContext& context, std::span<const std::string_view> rows) {
+    for (const std::string_view row : rows) {
+        const Menu* menu = rowWhere(kSubmenus, [&](const Menu& each) { return each.title == row; });
+        if (menu != nullptr) {
+            drawMenu(context, *menu);
+        } else if (row == kLine) {
             ImGui::Separator();
         } else {
-            drawItem(context, row.id);
+            drawItem(context, row);
         }
     }
 }
 
-void drawMenu(const PanelContext& context, const char* title, std::span<const MenuRow> rows) {
-    const bool open = ImGui::BeginMenu(title);
-    nameItem(context, std::string("menu ") + title);
+void drawMenu(const PanelContext& context, const Menu& menu) {
+    if (menu.draw != nullptr) return menu.draw(context);
+    const bool open = ImGui::BeginMenu(menu.title);
+    nameItem(context, std::string("menu ") + menu.title);
     if (!open) return;
-    drawMenuRows(context, rows);
+    drawMenuRows(context, menu.rows);
     ImGui::EndMenu();
+}
+
+void drawMenus(const PanelContext& context) {
+    for (const Menu& menu : kMenus) drawMenu(context, menu);
 }
 
 /// Description of the open input, as many whole words of it as fit.
@@ -309,12 +299,12 @@ void drawMenuBar(const PanelContext& context) {
     if (!ImGui::BeginMainMenuBar()) return;
     // In a phone's shape the bar has one menu.
     if (!rects.phone) {
-        drawMenuRows(context, kMenus);
+        drawMenus(context);
     } else if (const bool menu = ImGui::BeginMenu("Menu"); nameItem(context, "menu"), menu) {
         const float between = kFinger * em - ImGui::GetTextLineHeight();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, between});
         drawMenuRows(context, kPhone);
-        drawMenuRows(context, kMenus);
+        drawMenus(context);
         ImGui::PopStyleVar();
         ImGui::EndMenu();
     }
