@@ -149,13 +149,7 @@ void drawSvgLayers(SvgCanvas& canvas) {
     const DrawList& list = canvas.in().list;
     for (std::size_t k = 0; k < list.layers.size(); ++k) {
         const LayerStart& layer = list.layers[k];
-        const bool last = k + 1 == list.layers.size();
-        const LayerStart end = last ? LayerStart{{},
-                                                 list.lines.size(),
-                                                 list.sheets.size(),
-                                                 list.spheres.size(),
-                                                 list.sprites.size()}
-                                    : list.layers[k + 1];
+        const LayerStart end = list.endOf(k);
         canvas.beginGroup(nameOfTitle(layer.title));
         for (std::size_t i = layer.sheets; i < end.sheets; ++i) drawSheet(canvas, i);
         for (std::size_t i = layer.spheres; i < end.spheres; ++i) drawSphere(canvas, i);
@@ -190,8 +184,7 @@ Color solidColor(const SvgCanvas& canvas, const Color& color, const Color& backg
 float fadeOf(const SvgCanvas& canvas, std::size_t p) {
     const Model& model = canvas.in().model;
     const float facing = glm::dot(canvas.screen().toEye(model.place[p]), model.normal[p]);
-    const float share = std::clamp((facing + 0.25F) / 0.4F, 0.0F, 1.0F);
-    return 0.3F + 0.7F * share * share * (3.0F - 2.0F * share);
+    return 0.3F + 0.7F * smoothStep(-0.25F, 0.15F, facing);
 }
 
 void drawPoint(SvgCanvas& canvas, std::size_t p, float marks) {

@@ -163,6 +163,7 @@ struct Layer {
 
 /// In drawing order.
 std::span<const Layer> layers();
+const Layer& rowOf(LayerId id);
 
 using LayerSwitches = std::bitset<kLayerCount>;
 

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "layer.h"
-#include "run/strings.h"
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
@@ -75,6 +74,10 @@ bool isShown(const Layer& layer, LayerMode mode, std::optional<Stage> stage) {
 
 std::span<const Layer> layers() { return kLayers; }
 
+const Layer& rowOf(LayerId id) {
+    return *rowWhere(kLayers, [&](const Layer& layer) { return layer.id == id; });
+}
+
 std::string_view layerModeName(LayerMode mode) {
     return kModeNames[static_cast<std::size_t>(mode)];
 }
@@ -95,14 +98,12 @@ LayerSwitches shownLayers(const LayerModes& modes, std::optional<Stage> stage) {
 }
 
 void toggleLayer(LayerModes& modes, LayerId id, std::optional<Stage> stage) {
-    const auto found = std::find_if(kLayers.begin(), kLayers.end(),
-                                    [&](const Layer& layer) { return layer.id == id; });
-    if (found == kLayers.end()) return;
+    const Layer& layer = rowOf(id);
     LayerMode& mode = modeOf(modes, id);
-    const bool show = !isShown(*found, mode, stage);
-    mode = shownByItself(*found, stage) == show ? LayerMode::Automatic
-           : show                               ? LayerMode::PinnedOn
-                                                : LayerMode::PinnedOff;
+    const bool show = !isShown(layer, mode, stage);
+    mode = shownByItself(layer, stage) == show ? LayerMode::Automatic
+           : show                              ? LayerMode::PinnedOn
+                                               : LayerMode::PinnedOff;
 }
 
 void fillDrawList(const LayerInput& in, const LayerSwitches& on, DrawList& out) {

@@ -176,6 +176,11 @@ struct DrawList : MeshLooks {
 
     /// Empties all but the styles of the cloud, see cloudMadeOf.
     void clear();
+    /// Where the things of a layer of the list end.
+    LayerStart endOf(std::size_t layer) const {
+        if (layer + 1 < layers.size()) return layers[layer + 1];
+        return {{}, lines.size(), sheets.size(), spheres.size(), sprites.size()};
+    }
     void line(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
               Depth depth = Depth::Tested) {
         lines.push_back({from, to, color, width, 0.0F, 0.0F, depth});

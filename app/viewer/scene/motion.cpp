@@ -106,17 +106,11 @@ namespace {
 /// Steeper than this, a turn about the up axis is hardly more than a rotation of the picture.
 constexpr float kSteepFrom = 55.0F;
 
-/// Slow at both ends.
-float smooth(double share) {
-    const double s = std::clamp(share, 0.0, 1.0);
-    return static_cast<float>(s * s * (3.0 - 2.0 * s));
-}
-
 }  // namespace
 
 CameraPose poseBetween(const CameraPose& from, const CameraPose& to, double share) {
     if (share >= 1.0) return to;
-    const float s = smooth(share);
+    const float s = smoothStep(0.0F, 1.0F, static_cast<float>(share));
     CameraPose pose = to;
     pose.target = glm::mix(from.target, to.target, s);
     // By ratio, so that things on the screen grow evenly.

@@ -44,15 +44,10 @@ struct Entry {
 template <LayerId Id>
 bool draws(const PanelContext& context) {
     const DrawList& drawn = context.drawList;
-    const auto layer = std::find_if(layers().begin(), layers().end(),
-                                    [](const Layer& each) { return each.id == Id; });
     for (std::size_t i = 0; i < drawn.layers.size(); ++i) {
         const LayerStart& from = drawn.layers[i];
-        if (from.title != layer->title) continue;
-        const bool last = i + 1 == drawn.layers.size();
-        const LayerStart to =
-            last ? LayerStart{{}, drawn.lines.size(), drawn.sheets.size(), drawn.spheres.size(), 0}
-                 : drawn.layers[i + 1];
+        if (from.title != rowOf(Id).title) continue;
+        const LayerStart to = drawn.endOf(i);
         return to.lines > from.lines || to.sheets > from.sheets || to.spheres > from.spheres;
     }
     return false;
