@@ -1,9 +1,11 @@
 /// Formats of an export. A new format is a row of the table and a file with its writer.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +22,7 @@
 #include "scene/picture.h"
 #include "session/compare_with.h"
 #include "teach/lesson_runs.h"
+#include "teach/lesson_text.h"
 
 namespace se::view {
 
@@ -162,5 +165,41 @@ class NumberedFiles {
 /// all, else all existing ones with such numbers, ascending, since the number of frames is not
 /// known before the run.
 std::vector<std::filesystem::path> seriesFilesAt(const std::filesystem::path& path);
+
+// Text of lessons as HTML, with everything escaped.
+
+/// Where links and images of a text lead.
+struct PageLinks {
+    std::map<std::string, std::size_t> steps;  ///< Number of the step that shows an address.
+    std::filesystem::path folder;              ///< Of the lesson's images.
+    /// The link to the program at an address that no step shows; null: there is none.
+    std::function<std::string(const std::string& address)> toProgram;
+};
+
+/// A link that opens in a window of its own. `text` is HTML.
+std::string linkToOutside(const std::string& address, const std::string& text);
+
+/// The blocks as paragraphs, lists, code and images; images are put into the text. Links lead to
+/// steps of the page, to the program and to the web, no others.
+std::string pageText(const std::vector<teach::TextBlock>& blocks, const PageLinks& links);
+
+// The colors of an animation as GIF, which has at most 256: those of the palette, with what light
+// and transparency make of them.
+
+/// Bytes of the colors of a theme, red, green and blue in turn; fewer than 256 colors, so that one
+/// is left for pixels that do not change.
+std::vector<std::uint8_t> gifPalette(Theme theme);
+
+/// Finds the nearest color of a palette.
+class NearestColor {
+  public:
+    explicit NearestColor(std::span<const std::uint8_t> palette);
+
+    std::uint8_t of(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
+
+  private:
+    std::span<const std::uint8_t> palette_;
+    std::vector<std::int16_t> known_;  ///< By the upper six bits of each component; -1: not yet.
+};
 
 }  // namespace se::view

@@ -1,7 +1,5 @@
 // Animations as GIF, by cgif if the program was built with it.
 
-#include "gif_writer.h"
-
 #include <algorithm>
 #include <cmath>
 

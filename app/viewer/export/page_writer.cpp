@@ -1,10 +1,7 @@
 // A page of one file, without the network: each frame is a step with its drawing in the colors of
 // both themes, its text and its question. page.css and page.js are a part of it.
 
-#include "page_writer.h"
-
 #include <fmt/format.h>
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -15,6 +12,7 @@
 #include "run/packed_file.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/lists.h"
 #include "svg_frame.h"
 #include "teach/result.h"
 
@@ -76,10 +74,10 @@ std::string plainSpans(const TextBlock& block) {
 std::string imageText(const TextBlock& block, const PageLinks& links) {
     const std::filesystem::path path = links.folder / block.image;
     const std::string extension = lowerExtension(path);
-    const auto kind = std::find_if(kImageKinds.begin(), kImageKinds.end(),
-                                   [&](const auto& each) { return each.extension == extension; });
+    const ImageKind* kind =
+        rowWhere(kImageKinds, [&](const auto& each) { return each.extension == extension; });
     const Result<std::string> bytes = readBytes(path);
-    if (kind == kImageKinds.end() || !bytes) return "<p>" + plainSpans(block) + "</p>";
+    if (kind == nullptr || !bytes) return "<p>" + plainSpans(block) + "</p>";
     return fmt::format("<img alt=\"{}\" src=\"data:{};base64,{}\">", plainSpans(block), kind->type,
                        base64Of(bytes.value()));
 }

@@ -1,7 +1,6 @@
 /// A frame as elements of SVG.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <unordered_map>

@@ -1,14 +1,13 @@
 // The circumsphere test of a candidate q (6.3): circle, radius and distance, and the angle that
 // would remain without q.
 
-#include "circumsphere.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <numbers>
 #include <string>
 
+#include "disc.h"
 #include "run/strings.h"
 
 namespace se::view {

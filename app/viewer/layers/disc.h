@@ -63,6 +63,10 @@ struct RingCorner {
 /// 5).
 void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out);
 
+/// The parts of a triangle's surface that lie on a sphere, as short segments.
+std::vector<std::pair<glm::vec3, glm::vec3>> sphereCut(const Sphere& sphere,
+                                                       const std::array<glm::vec3, 3>& corners);
+
 /// The angle of a position on a disc, in [0, 360).
 double degreesOn(const Disc& disc, const glm::vec3& place);
 

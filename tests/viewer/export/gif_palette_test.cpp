@@ -1,4 +1,4 @@
-#include "export/gif_writer.h"
+#include "export/formats.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "export/page_writer.h"
+#include "export/formats.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "layers/circumsphere.h"
+#include "layers/disc.h"
 
 #include <doctest/doctest.h>
 
