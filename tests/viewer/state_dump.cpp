@@ -55,7 +55,7 @@ const char* phaseName(SessionPhase phase) {
 void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     const StepTree& tree = nav.steps;
     out["tree"] = {{"rows", tree.rowCount()},
-                   {"filter", tree.filterText()},
+                   {"filter", nav.stepFilter.data()},
                    {"cursor", nullptr},
                    {"pivots", session.overview().pivots.size()},
                    {"components", session.overview().components.size()}};

@@ -11,7 +11,6 @@
 #include "run/strings.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/event_text.h"
-#include "spiraling_edge/run/pivot_replay.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/event.h"
 

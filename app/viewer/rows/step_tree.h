@@ -73,7 +73,6 @@ class StepTree {
                 std::size_t cursor);
     /// Shows only rows that match the filter, as a flat list of pivots and tests.
     void setFilter(const std::string& text);
-    const std::string& filterText() const { return filterText_; }
     bool filtered() const { return !filter_.empty(); }
 
     std::size_t rowCount() const;
