@@ -1,9 +1,6 @@
 #include "doctor_job.h"
 
-#include <algorithm>
 #include <cassert>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "spiraling_edge/why/tried_fixes.h"

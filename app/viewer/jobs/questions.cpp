@@ -5,7 +5,6 @@
 #include <charconv>
 #include <utility>
 
-#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "thread.h"
 

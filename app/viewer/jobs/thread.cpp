@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include "run/strings.h"
 #include "session.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/run/pivot_replay.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 

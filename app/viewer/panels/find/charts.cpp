@@ -10,7 +10,6 @@
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
-#include "spiraling_edge/run/status_list.h"
 
 namespace se::view {
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "document/actions.h"
