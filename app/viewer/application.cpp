@@ -12,14 +12,12 @@
 #include "commands/commands.h"
 #include "document/actions.h"
 #include "document/ask_actions.h"
-#include "document/link.h"
 #include "document/piece_actions.h"
 #include "export_run.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
-#include "session/view_position.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
 
@@ -504,38 +502,10 @@ PanelRects Application::areasIn(glm::vec2 size) const {
 }
 
 void Application::character(const KeyPress& typed) {
-    if (ui_.goTo.active()) {
-        if (isText(typed)) ui_.goTo.type(typed.sign);
-        return;
-    }
     if (ui_.help == HelpPage::ChangeKeys) return;
     // The position of digits and signs differs between keyboards; a key with a command has acted.
     const std::optional<KeyChord> chord = chordOfSign(typed);
     if (chord && commandFor(typed.chord) == nullptr) key(*chord, typed.repeated);
-}
-
-/// The go-to box comes before all actions.
-bool Application::goToBoxTakes(const KeyChord& chord) {
-    GoToBox& box = ui_.goTo;
-    if (chord == KeyChord{'V', kCtrl}) {
-        const std::string text = ui_.clipboard.text();
-        const Result<ViewPosition> place = viewPositionFromText(text);
-        const Result<Options> link = isLink(text) ? optionsFromLink(text) : Error{};
-        const std::string& address = link    ? link.value().goTo
-                                     : place ? place.value().address
-                                             : text;
-        box.paste(address);
-        return true;
-    }
-    if (!box.press(chord)) return false;
-    if (const std::string copied = box.takeCopied(); !copied.empty()) ui_.clipboard.copy(copied);
-    if (box.takeSubmitted()) goToTyped();
-    return true;
-}
-
-void Application::goToTyped() {
-    const Status status = jumpingMoves(context_).goToText(ui_.goTo.text());
-    if (!status) session_.messages().say(status.error().message);
 }
 
 bool Application::key(const KeyChord& chord, bool repeated) {
@@ -544,9 +514,8 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         return false;
     }
     if (firstRun_.key()) return false;
-    if (ui_.goTo.active() && goToBoxTakes(chord)) return false;
     const ImGuiIO& io = ImGui::GetIO();
-    if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
+    if (chord.key == key::kEscape && io.WantTextInput && !ui_.coversView()) {
         // Dear ImGui would undo the edit of the text.
         ImGui::ClearActiveID();
         return true;
@@ -554,13 +523,13 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
     const bool panel = ui_.walk.at() != KeyStop::View || (session_.startPage() && !ui_.growth.open);
     if (enter && chord.mods == kNoMods && panel && io.NavVisible && !io.WantTextInput &&
-        !ui_.dialogOpen()) {
+        !ui_.coversView()) {
         // Dear ImGui itself handles Space only.
         ImGui::ActivateItem(ImGui::GetFocusID());
         return true;
     }
     if (endsBlankScreen(chord)) return true;
-    const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
+    const bool over = io.WantTextInput || ui_.coversView() || ui_.popupOpen;
     if (!over && !repeated && runOnPieceTool(chord, context_)) return true;
     if (!over && !repeated && answerByKey(chord, context_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
@@ -569,7 +538,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
     if (command == nullptr || (repeated && !command->repeats)) return false;
     const bool closes = ui_.help == HelpPage::Keys && command == findCommand("help.keys");
-    const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
+    const Keyboard keyboard{io.WantTextInput, ui_.coversView() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, context_);

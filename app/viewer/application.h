@@ -124,8 +124,6 @@ class Application {
     void endFrame(glm::ivec2 size);
 
     PanelRects areasIn(glm::vec2 size) const;
-    bool goToBoxTakes(const KeyChord& chord);
-    void goToTyped();
     bool holdsLook(const Command& command, int key);
     bool endsBlankScreen(const KeyChord& chord);
     const Command* commandFor(const KeyChord& chord) const;

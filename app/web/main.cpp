@@ -218,9 +218,7 @@ EMSCRIPTEN_KEEPALIVE int webScroll(float x, float y, float by) {
 /// 1 while a text field has the focus.
 EMSCRIPTEN_KEEPALIVE int webTyping() {
     bool typing = false;
-    withProgram([&typing](Program& program) {
-        typing = program.ui().goTo.active() || ImGui::GetIO().WantTextInput;
-    });
+    withProgram([&typing](Program&) { typing = ImGui::GetIO().WantTextInput; });
     return typing ? 1 : 0;
 }
 

@@ -204,7 +204,7 @@ const auto kCommands = std::to_array<Command>({
     {"step.birth", "Step", "Where the selection was made", "",
      "Go to the pivot that made the selected edge or triangle.", goToCreation},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",
-     [](C& c) { c.ui.goTo.open(); }, "jump address find"},
+     [](C& c) { c.ui.goTo.show(); }, "jump address find"},
 
     {"step.copy", "Step", "Copy link", "Ctrl+C",
      "Copy a link to what is shown: input, options, address and camera.", copyLink,

@@ -41,7 +41,7 @@ void escape(C& c) {
         return c.mesh.keep();
     // One thing at a time, the topmost first.
     const bool covered =
-        ui.dialogOpen() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
+        ui.coversView() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
     ui.offersTour = false;
     ui.closesPopups = true;

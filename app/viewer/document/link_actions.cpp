@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "actions.h"
 #include "compare/comparison.h"
 #include "document.h"
 #include "jobs/open_lesson.h"
@@ -190,6 +191,16 @@ void follow(CommandContext& c, const std::string& text) {
     if (!place) return c.session.messages().say(place.error().message);
     c.playback.pause();
     if (const Status moved = moveTo(c, place.value()); !moved)
+        c.session.messages().say(moved.error().message);
+}
+
+void goToTyped(CommandContext& c) {
+    const std::string text = std::exchange(c.ui.goTo, {}).typed;
+    const Result<Options> link = isLink(text) ? optionsFromLink(text) : Error{};
+    const Result<ViewPosition> place = viewPositionFromText(text);
+    const std::string& address = link ? link.value().goTo : place ? place.value().address : text;
+    if (address.empty()) return;
+    if (const Status moved = jumpingMoves(c).goToText(address); !moved)
         c.session.messages().say(moved.error().message);
 }
 

@@ -46,6 +46,8 @@ void copyLink(CommandContext& c);
 void copyFrame(CommandContext& c);
 /// Follows a link, or goes to an address or position.
 void follow(CommandContext& c, const std::string& text);
+/// Goes to what was typed into the box with the address, or to the address of a link there.
+void goToTyped(CommandContext& c);
 /// Follows what is on the clipboard.
 void pasteLink(CommandContext& c);
 

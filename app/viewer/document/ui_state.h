@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "compare/comparison.h"
-#include "input/go_to_box.h"
 #include "input/key_routing.h"
 #include "input/view_drag.h"
 #include "lesson/lesson_walk.h"
@@ -113,6 +112,15 @@ class BetweenFrames {
     std::vector<std::function<void()>> waiting_;
 };
 
+/// The box with the address, which is open while another one is typed there.
+struct GoToBox {
+    bool open = false;
+    bool wantsKeyboard = false;
+    std::string typed;
+
+    void show() { *this = {true, true, {}}; }
+};
+
 struct CommandPalette {
     bool open = false;
     bool justOpened = false;  ///< The input line gets the keyboard focus.
@@ -154,7 +162,6 @@ struct UiState {
     UiState& operator=(const UiState&) = delete;
 
     /// An overlay above the view takes the keys.
-    bool dialogOpen() const { return coversView() || goTo.active(); }
     bool coversView() const {
         return fileBrowser || help != HelpPage::None || palette.open || leaving.asked;
     }
@@ -166,6 +173,7 @@ struct UiState {
     unsigned typedFields() const {
         return (palette.open ? kPaletteField : kNoField) |
                (fileBrowser && !mesh.waits() && !exported.working ? kBrowserField : kNoField) |
+               (goTo.wantsKeyboard ? kGoToField : kNoField) |
                (query.wantsKeyboard ? kQueryField : kNoField) |
                (ledger.wantsKeyboard ? kLedgerField : kNoField) |
                (prepare.wantsKeyboard ? kPrepareField : kNoField);

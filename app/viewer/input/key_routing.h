@@ -63,6 +63,7 @@ enum TypedField : unsigned {
     kQueryField = 4,
     kLedgerField = 8,
     kPrepareField = 16,
+    kGoToField = 32,
 };
 
 /// Delay of keys until a text field opened by a command has the keyboard focus: Dear ImGui assigns

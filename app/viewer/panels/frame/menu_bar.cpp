@@ -1,4 +1,6 @@
 // The menu bar: a table of rows for each menu, the box with the address, and what is open.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -6,8 +8,8 @@
 
 #include "document/actions.h"
 #include "document/document.h"
+#include "document/link_actions.h"
 #include "document/ui_state.h"
-#include "input/go_to_box.h"
 #include "layers/layer.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"
@@ -21,50 +23,46 @@ namespace se::view {
 
 namespace {
 
-/// The typed text; of a long text the part around the caret.
-void drawTyped(const PanelContext& context, const GoToBox& box, ImVec2 at, float room) {
-    const float em = context.em;
-    const float sign = ImGui::CalcTextSize("0").x;  // all characters have the same width
-    const auto fits = static_cast<std::size_t>(std::max(1.0F, room / sign));
-    const std::size_t first = box.caret() > fits ? box.caret() - fits : 0;
-    const std::string text = box.text().substr(first, fits);
-    const float height = ImGui::GetTextLineHeight();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (box.marked()) {
-        const float width = static_cast<float>(text.size()) * sign;
-        list->AddRectFilled(at, {at.x + width, at.y + height},
-                            toU32(context.palette.accent.withAlpha(0.45F)));
+/// The line in which an address is typed.
+void drawTyped(const PanelContext& context, GoToBox& box) {
+    const bool entered =
+        textField("##typed", "", box.typed,
+                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsNoBlank);
+    if (std::exchange(box.wantsKeyboard, false)) {
+        // What was typed at another time is not undone.
+        ImGuiInputTextState* before = ImGui::GetInputTextState(ImGui::GetItemID());
+        if (before != nullptr && !ImGui::IsItemActive()) before->ID = 0;
+        // Dear ImGui's own request for the keyboard focus leaves out menu bars.
+        ImGui::GetCurrentContext()->NavNextActivateId = ImGui::GetItemID();
+        ImGui::GetCurrentContext()->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
     }
-    list->AddText(at, toU32(context.palette.text), text.c_str());
-    const float x = at.x + static_cast<float>(box.caret() - first) * sign + 1.0F;
-    list->AddLine({x, at.y}, {x, at.y + height}, toU32(context.palette.text),
-                  std::max(1.0F, 0.09F * em));
+    if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
+    const bool left = ImGui::IsItemDeactivated();
+    if (entered) actions::goToTyped(context.commands);
+    if (left) box.open = false;
+    // The view gets the keyboard back.
+    if (entered || left) context.ui().closesPopups = true;
 }
 
 /// The box with the address.
 void drawGoTo(const PanelContext& context, float width) {
     GoToBox& box = context.state<GoToBox>();
     const float em = context.em;
-    const ImVec2 size(width, ImGui::GetTextLineHeight() + 0.24F * em);
-    if (ImGui::InvisibleButton("##goto", size)) box.open();
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered()) box.close();
-    // A focused text field would get the typed characters as well.
-    if (box.active() && ImGui::GetIO().WantTextInput) ImGui::SetWindowFocus(nullptr);
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(low, high, toU32(context.palette.panelRaised), 0.25F * em);
-    if (box.active()) {
-        list->AddRect(low, high, toU32(context.palette.accent), 0.25F * em, 0, 0.12F * em);
-    }
     ImGui::PushFont(context.fonts.mono);
-    const ImVec2 at(low.x + 0.5F * em, 0.5F * (low.y + high.y - ImGui::GetTextLineHeight()));
-    if (box.active()) {
-        drawTyped(context, box, at, size.x - em);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.5F * em, 0.12F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
+    ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.panelRaised));
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          toVec4(box.open ? context.palette.text : context.palette.textDim));
+    ImGui::SetNextItemWidth(width);
+    if (box.open) {
+        drawTyped(context, box);
     } else {
-        const std::string text = fitted(addressText(context.session()), size.x - em);
-        list->AddText(at, toU32(context.palette.textDim), text.c_str());
+        const std::string shown = fitted(addressText(context.session()), width - em);
+        if (ImGui::Button((shown + "##goto").c_str(), {width, 0.0F})) box.show();
     }
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
     ImGui::PopFont();
     tooltip(withKeys(context, "Go to", "step.goto") +
             ": 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
@@ -311,7 +309,7 @@ void drawMenuBar(const PanelContext& context) {
     float from = ImGui::GetCursorScreenPos().x;
     const bool runs = context.session().ready() && !context.state<GrowthPage>().open;
     // In a narrow window only while something is typed there.
-    if (runs && (rects.window.x > kGoToFrom * em || context.state<GoToBox>().active())) {
+    if (runs && (rects.window.x > kGoToFrom * em || context.state<GoToBox>().open)) {
         const float left = std::max(from + em, 0.5F * (rects.window.x - kGoTo * em));
         const float width = std::min(kGoTo * em, rects.window.x - left - em);
         ImGui::SetCursorScreenPos({left, rects.menu.min.y + 0.15F * em});
