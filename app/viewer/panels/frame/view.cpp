@@ -302,15 +302,22 @@ constexpr float kDisc = 0.85F;
 constexpr float kTip = 1.75F;
 constexpr float kInset = 2.0F;
 
-/// The arrow to the pivot, if the pivot is outside of the view.
-struct PivotArrow {
-    glm::vec2 way;  ///< From its middle to its tip.
-    Rect rect;      ///< In pixels of the window.
-    bool hovered = false;
-};
+/// `way`: from the middle of the arrow to its tip.
+void drawArrow(const PanelContext& context, glm::vec2 at, glm::vec2 way, bool hovered) {
+    const float em = context.em;
+    const glm::vec2 across(-way.y, way.x);
+    ScreenPainter p(context);
+    const Ink ink = p.ink(&Palette::pivot);
+    const glm::vec2 neck = at + kDisc * 0.55F * em * way;
+    p.polygon({at + kTip * em * way, neck + 0.8F * em * across, neck - 0.8F * em * across}, ink);
+    p.circle(at, kDisc * em, p.ink(hovered ? &Palette::panelRaised : &Palette::background));
+    p.circle(at, kDisc * em, ink.line(std::max(1.5F, 0.14F * em)));
+    p.circle(at, 0.45F * kDisc * em, ink);
+}
 
-/// Takes clicks, which frame the pivot. To be called before the scene takes the remaining ones.
-std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
+/// The arrow to the pivot, if the pivot is outside of the view. Takes clicks, which frame the
+/// pivot: to be called before the scene takes the remaining ones.
+std::optional<Rect> drawPivotArrow(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready() || session.picture().pivot == kNone) return std::nullopt;
     const Rect& view = context.rects.view;
@@ -321,30 +328,16 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     const glm::vec2 half(kTip * context.em);
     // Above the caption, which lies on the view's lower edge.
     const float lowest = (1.0F - context.ui().viewPart().coveredBelow) * view.size.y - half.y;
-    const glm::vec2 at(arrow->at.x, std::min(arrow->at.y, lowest));
-    PivotArrow found{arrow->way, {view.min + at - half, 2.0F * half}};
-    ImGui::SetCursorScreenPos(toVec2(found.rect.min));
-    if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size)))
+    const glm::vec2 at = view.min + glm::vec2(arrow->at.x, std::min(arrow->at.y, lowest));
+    const Rect rect{at - half, 2.0F * half};
+    ImGui::SetCursorScreenPos(toVec2(rect.min));
+    if (ImGui::InvisibleButton("##pivotArrow", toVec2(rect.size)))
         context.ui().frame = FrameRequest::Decision;
-    found.hovered = ImGui::IsItemHovered();
+    drawArrow(context, at, arrow->way, ImGui::IsItemHovered());
     tooltip("The pivot, " + nameOf(pivot, session.names()) +
             ", is outside of the view.\nClick to center it.");
-    context.where()["pivot arrow"] = found.rect;
-    return found;
-}
-
-void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow) {
-    const float em = context.em;
-    const glm::vec2 at = arrow.rect.min + 0.5F * arrow.rect.size;
-    const glm::vec2 way = arrow.way;
-    const glm::vec2 across(-way.y, way.x);
-    ScreenPainter p(context);
-    const Ink ink = p.ink(&Palette::pivot);
-    const glm::vec2 neck = at + kDisc * 0.55F * em * way;
-    p.polygon({at + kTip * em * way, neck + 0.8F * em * across, neck - 0.8F * em * across}, ink);
-    p.circle(at, kDisc * em, p.ink(arrow.hovered ? &Palette::panelRaised : &Palette::background));
-    p.circle(at, kDisc * em, ink.line(std::max(1.5F, 0.14F * em)));
-    p.circle(at, 0.45F * kDisc * em, ink);
+    context.where()["pivot arrow"] = rect;
+    return rect;
 }
 
 /// Sets a breakpoint on all events of the enclosed points, and marks them.
@@ -512,14 +505,8 @@ std::optional<Rect> drawOwnCaption(const PanelContext& context) {
 
 constexpr const char* kLayersTitle = "Layers";
 
-/// A button over the picture: it is offered before the picture, and drawn after it.
-struct OverButton {
-    Rect place;
-    bool hovered = false;
-};
-
-/// The menu of the layers, in a corner of the view.
-std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
+/// The button of the menu of the layers, in a corner of the view, and the menu.
+std::optional<Rect> drawLayersMenu(const PanelContext& context) {
     const bool none = context.beside || context.ui().picture.viewAlone ||
                       context.rects.layoutPreset == LayoutPreset::Present;
     if (none || !context.session().ready()) return std::nullopt;
@@ -531,8 +518,14 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
     // On a phone the menu has it.
     const bool phone = context.rects.phone;
     const bool clicked = !phone && ImGui::InvisibleButton("##layersButton", toVec2(place.size));
-    if (!phone) nameItem(context, "layers menu", "What the view draws, and when");
-    const OverButton button{place, !phone && ImGui::IsItemHovered()};
+    if (!phone) {
+        const bool hovered = ImGui::IsItemHovered();
+        nameItem(context, "layers menu", "What the view draws, and when");
+        ScreenPainter p(context);
+        p.box(place, p.ink(hovered ? &Palette::panelRaised : &Palette::panel, 0.9F), 0.3F * em);
+        p.text(place.min + glm::vec2(0.6F, 0.25F) * em, kLayersTitle,
+               p.ink(hovered ? &Palette::text : &Palette::textDim), {em});
+    }
     if (std::exchange(context.state<Navigation>().opensLayers, false) || clicked)
         ImGui::OpenPopup("##layers");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.7F * em, 0.55F * em));
@@ -542,55 +535,50 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar();
-    return phone ? std::nullopt : std::optional(button);
+    return phone ? std::nullopt : std::optional(place);
 }
 
-void drawLayersButton(const PanelContext& context, const OverButton& button) {
-    ScreenPainter p(context);
-    p.box(button.place, p.ink(button.hovered ? &Palette::panelRaised : &Palette::panel, 0.9F),
-          0.3F * context.em);
-    p.text(button.place.min + glm::vec2(0.6F, 0.25F) * context.em, kLayersTitle,
-           p.ink(button.hovered ? &Palette::text : &Palette::textDim), {context.em});
+/// Channels of the draw list, from below. What takes clicks comes before the scene, which takes
+/// the remaining ones, and lies over it.
+enum Channel { kSceneChannel, kButtonChannel, kWordChannel, kSignChannel, kChannels };
+
+void noteTaken(std::vector<Rect>& taken, const std::optional<Rect>& place) {
+    if (place) taken.push_back(*place);
 }
 
-/// Overlays of the picture. Each avoids those before it; labels come last, since they find a
-/// place anywhere.
-void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow,
-              const std::optional<AxisGizmo>& axes, const std::optional<OverButton>& layers) {
-    std::vector<Rect> taken;
-    const auto note = [&](const std::optional<Rect>& place) {
-        if (place) taken.push_back(*place);
-    };
-    if (arrow) note(arrow->rect);
-    if (layers) taken.push_back(layers->place);
-    if (layers) drawLayersButton(context, *layers);
-    note(drawOwnCaption(context));
-    note(drawShownState(context));
-    if (axes) taken.push_back(axes->plate);
-    if (axes) drawAxes(context, *axes);
-    note(drawColorBar(context, taken));
+/// Overlays without clicks. Each avoids those before it; labels come last, since they find a place
+/// anywhere.
+void drawOver(const PanelContext& context, std::vector<Rect> taken) {
+    noteTaken(taken, drawOwnCaption(context));
+    noteTaken(taken, drawShownState(context));
+    noteTaken(taken, drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.beside || context.rects.otherView.size.x > 0.0F;
     const bool legend =
         context.rects.phone ? context.state<Navigation>().phoneLegend : context.settings().legend;
-    if (legend && !compared) note(drawLegend(context, taken));
+    if (legend && !compared) noteTaken(taken, drawLegend(context, taken));
     drawLabels(context, taken);
-    if (arrow) drawPivotArrow(context, *arrow);
 }
 
 void drawWithOverlays(const PanelContext& context) {
-    const std::optional<PivotArrow> arrow = offerPivotArrow(context);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.ChannelsSplit(kChannels);
     std::vector<Rect> taken;
-    if (arrow) taken.push_back(arrow->rect);
-    const std::optional<AxisGizmo> axes = offerAxes(context, taken);
+    list.ChannelsSetCurrent(kSignChannel);
+    noteTaken(taken, drawPivotArrow(context));
+    noteTaken(taken, drawAxes(context, taken));
     const std::vector<FaultPin> pins = offerFaultPins(context);
-    const std::optional<OverButton> layers = offerLayersMenu(context);
+    list.ChannelsSetCurrent(kButtonChannel);
+    noteTaken(taken, drawLayersMenu(context));
+    list.ChannelsSetCurrent(kSceneChannel);
     offerView(context);
     handleMouse(context);
     drawViewPicture(context);
     drawFaultPins(context, pins);
     drawForAudience(context);
-    drawOver(context, arrow, axes, layers);
+    list.ChannelsSetCurrent(kWordChannel);
+    drawOver(context, std::move(taken));
+    list.ChannelsMerge();
     if (const auto& lasso = context.state<BreakLasso>(); lasso.beside == context.beside)
         drawEnclosingLine(context, lasso.line);
     drawSectionPlane(context);

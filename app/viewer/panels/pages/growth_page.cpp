@@ -304,11 +304,16 @@ void drawGrowthPage(const PanelContext& context) {
     }
     ImGui::End();
     if (beginView(context, "##view")) {
-        const std::optional<AxisGizmo> axes = offerAxes(context, {});
+        // The axes take clicks before the scene does, and lie over it.
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.ChannelsSplit(2);
+        list.ChannelsSetCurrent(1);
+        drawAxes(context, {});
+        list.ChannelsSetCurrent(0);
         offerView(context);
         moveCameraByMouse(context);
         drawViewPicture(context);
-        if (axes) drawAxes(context, *axes);
+        list.ChannelsMerge();
         drawKey(context);
     }
     ImGui::End();

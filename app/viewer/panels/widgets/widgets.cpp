@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -555,6 +556,15 @@ constexpr std::array kNames = {"x", "y", "z"};
 /// Colors of the axes in all programs; softer than those of decisions, and with letters.
 constexpr std::array kColors = {fromHex(0xC2504F), fromHex(0x5C9440), fromHex(0x4478C4)};
 
+/// An end of an axis.
+struct AxisEnd {
+    std::size_t axis = 0;  ///< 0 to 2: x, y, z.
+    bool positive = true;
+    glm::vec2 at{0.0F};  ///< Middle, in pixels of the window.
+    float near = 0.0F;   ///< From -1, away from the eye, to 1, toward it.
+    bool hovered = false;
+};
+
 std::string nameOf(const AxisEnd& end) {
     return (end.positive ? "" : "-") + std::string(kNames[end.axis]);
 }
@@ -598,7 +608,7 @@ void drawEnd(const PanelContext& context, const AxisEnd& end, const glm::vec2& o
 
 }  // namespace
 
-std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const Rect> taken) {
+std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     // In a small view the decision needs the room.
     const glm::vec2 room = context.rects.view.size / em;
@@ -608,8 +618,8 @@ std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const 
     const std::optional<Rect> place =
         freeCorner({context.rects.view, 0.5F * em, taken, {}}, glm::vec2(kPlate * em), kCorners);
     if (!place) return std::nullopt;
-    AxisGizmo gizmo{*place, endsOf(context, *place)};
-    for (AxisEnd& end : gizmo.ends) {
+    std::array<AxisEnd, 6> ends = endsOf(context, *place);
+    for (AxisEnd& end : ends) {
         const glm::vec2 half(kEnd * em);
         const std::string name = "axis " + nameOf(end);
         ImGui::SetCursorScreenPos(toVec2(end.at - half));
@@ -622,15 +632,11 @@ std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const 
         tooltip("Look from " + nameOf(end) + ".");
         context.where()[name] = {end.at - half, 2.0F * half};
     }
-    return gizmo;
-}
-
-void drawAxes(const PanelContext& context, const AxisGizmo& gizmo) {
-    const glm::vec2 origin = gizmo.plate.min + 0.5F * gizmo.plate.size;
+    const glm::vec2 origin = place->min + 0.5F * place->size;
     ScreenPainter painter(context);
-    painter.circle(origin, 0.5F * gizmo.plate.size.x, painter.ink(&Palette::panel, 0.82F));
-    for (auto end = gizmo.ends.rbegin(); end != gizmo.ends.rend(); ++end)
-        drawEnd(context, *end, origin);
+    painter.circle(origin, 0.5F * place->size.x, painter.ink(&Palette::panel, 0.82F));
+    for (auto end = ends.rbegin(); end != ends.rend(); ++end) drawEnd(context, *end, origin);
+    return place;
 }
 
 // The fields of the preparation: one form for two panels.

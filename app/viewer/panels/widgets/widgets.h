@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -248,25 +247,9 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
 /// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
 bool drawBoxFields(const PanelContext& context, BoxFields& fields);
 
-// The three axes in a corner of a view; a click on an end looks from there.
-
-/// An end of an axis.
-struct AxisEnd {
-    std::size_t axis = 0;  ///< 0 to 2: x, y, z.
-    bool positive = true;
-    glm::vec2 at{0.0F};  ///< Middle, in pixels of the window.
-    float near = 0.0F;   ///< From -1, away from the eye, to 1, toward it.
-    bool hovered = false;
-};
-
-struct AxisGizmo {
-    Rect plate;                   ///< In pixels of the window.
-    std::array<AxisEnd, 6> ends;  ///< The nearest to the eye first.
-};
-
-/// Takes clicks on the ends, in the lower left corner of the view, or in another one beside
-/// `taken`; nothing if there is no room. To be called before the scene takes the remaining clicks.
-std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const Rect> taken);
-void drawAxes(const PanelContext& context, const AxisGizmo& gizmo);
+/// The three axes on a plate in the lower right corner of the view, beside `taken`; a click on an
+/// end looks from there. To be called before the scene takes the remaining clicks. The plate, in
+/// pixels of the window; nothing if there is no room.
+std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken);
 
 }  // namespace se::view
