@@ -70,6 +70,8 @@ void drawMenuBar(const PanelContext& context);
 void drawStartPage(const PanelContext& context);
 /// Replaces all panels while new points spread; the open input waits.
 void drawGrowthPage(const PanelContext& context);
+/// Legend of the shapes of spreading points, if some are on walls.
+void drawGrowthLegend(const PanelContext& context);
 /// The strip below the view: transport, cells of the pivot, lanes of the run.
 void drawStrip(const PanelContext& context);
 /// The scene with its overlays, in a window of that name.

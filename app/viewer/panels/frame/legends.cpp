@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/alert_actions.h"
+#include "document/new_points.h"
 #include "layers/layer.h"
 #include "paint/shapes.h"
 #include "panel_state/settings.h"
@@ -257,18 +258,21 @@ std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Re
     return place;
 }
 
-std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect> taken) {
+namespace {
+
+/// A plate with the entries, in a corner of the view where it covers nothing of `taken` and no
+/// mark; nothing if there is none.
+std::optional<Rect> drawEntries(const PanelContext& context, std::span<const Entry> entries,
+                                std::span<const Rect> taken, std::span<const LabelMark> marks) {
     const Rect& view = context.rects.view;
     const float em = 0.84F * context.em;
     const float row = 1.32F * em;
-    const std::vector<Entry> entries = entriesOf(context);
     if (entries.empty()) return std::nullopt;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(entries.size()) + 0.7F * em);
     // Omitted where it would cover too much of the picture; on a phone it is there on request.
     const bool phone = context.rects.phone;
     const float least = phone ? size.y : size.y + 8.0F * em;
     if (view.size.y < least || (!phone && view.size.x < 3.8F * size.x)) return std::nullopt;
-    const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
     const std::optional<Rect> place =
         freeCorner({view, 0.7F * em, taken, marks}, size, kLegendCorners);
     if (!place) return std::nullopt;
@@ -294,6 +298,23 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     }
     if (!defined.empty()) showTooltip(defined);
     return place;
+}
+
+}  // namespace
+
+std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect> taken) {
+    return drawEntries(context, entriesOf(context), taken,
+                       ScreenProjection(context).neighborhood());
+}
+
+void drawGrowthLegend(const PanelContext& context) {
+    const GrowthPicture* picture = context.commands.sampling.growth().picture();
+    if (picture == nullptr || picture->onWalls == 0) return;
+    constexpr std::array kShapes = {
+        Entry{Shape::Disc, Stroke::None, &Palette::used, "inside"},
+        Entry{Shape::Square, Stroke::None, &Palette::first, "on a wall"},
+        Entry{Shape::Diamond, Stroke::None, &Palette::last, "in a corner"}};
+    drawEntries(context, std::span(kShapes).first(picture->corners > 0 ? 3 : 2), {}, {});
 }
 
 }  // namespace se::view

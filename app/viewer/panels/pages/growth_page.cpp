@@ -6,8 +6,6 @@
 
 #include "document/new_points.h"
 #include "document/ui_state.h"
-#include "paint/shapes.h"
-#include "panels/widgets/screen_painter.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/word_list.h"
@@ -261,36 +259,6 @@ void drawBar(const PanelContext& context) {
         ImGui::TextUnformatted(fitted(message, ImGui::GetContentRegionAvail().x).c_str());
 }
 
-/// Legend of the shapes.
-void drawKey(const PanelContext& context) {
-    const GrowthPicture* picture = context.commands.sampling.growth().picture();
-    if (picture == nullptr || picture->onWalls == 0) return;
-    struct Row {
-        Shape shape;
-        Color Palette::*color;
-        const char* text;
-        bool there;
-    };
-    const std::array rows = {
-        Row{Shape::Disc, &Palette::used, "inside", true},
-        Row{Shape::Square, &Palette::first, "on a wall", true},
-        Row{Shape::Diamond, &Palette::last, "in a corner", picture->corners > 0}};
-    const float em = context.em;
-    ScreenPainter painter(context);
-    glm::vec2 at = context.rects.view.min + glm::vec2(1.0F * em, 0.9F * em);
-    const float width = ImGui::CalcTextSize(rows[1].text).x + 2.0F * em;
-    const float height = (picture->corners > 0 ? 4.05F : 2.7F) * em;
-    painter.box(at - glm::vec2(0.4F, 0.3F) * em, at + glm::vec2(width - 0.4F * em, height),
-                painter.ink(&Palette::background, 0.78F), 0.3F * em);
-    for (const Row& row : rows) {
-        if (!row.there) continue;
-        drawShape(painter, at + glm::vec2(0.4F, 0.6F) * em, 0.7F * em, row.shape,
-                  painter.ink(row.color));
-        painter.text({at.x + 1.2F * em, at.y}, row.text, painter.ink(&Palette::textDim), {em});
-        at.y += 1.35F * em;
-    }
-}
-
 }  // namespace
 
 void drawGrowthPage(const PanelContext& context) {
@@ -314,7 +282,7 @@ void drawGrowthPage(const PanelContext& context) {
         moveCameraByMouse(context);
         drawViewPicture(context);
         list.ChannelsMerge();
-        drawKey(context);
+        drawGrowthLegend(context);
     }
     ImGui::End();
     if (beginRegion("##growthBar", l.narration)) drawBar(context);
