@@ -15,6 +15,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
+#include "rows/evidence_rows.h"
 #include "run/strings.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
@@ -168,12 +169,7 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     ImGui::PopFont();
     wrappedText(shortSentence(line.event));
     tooltip(describe(line.event));
-    if (line.reading) {
-        const Reading& r = *line.reading;
-        const std::string unit(r.unit.empty() ? "" : " " + std::string(r.unit));
-        dimText(std::string(r.quantity) + " " + numberText(r.value) + unit + " against " +
-                numberText(r.threshold) + unit + ", margin " + numberText(r.margin));
-    }
+    if (line.reading) dimText(readingText(*line.reading));
     ImGui::PopID();
     ImGui::Spacing();
 }
