@@ -169,15 +169,8 @@ void Questions::requestCharts() {
 Subject toSubject(const Selection& what) {
     assert(what.kind != SelectionKind::None);
     const auto& p = what.points;
-    switch (what.kind) {
-        case SelectionKind::Edge:
-            return Subject::edge(p[0], p[1]);
-        case SelectionKind::Triangle:
-            return Subject::triangle(p[0], p[1], p[2]);
-        case SelectionKind::None:
-        case SelectionKind::Point:
-            break;
-    }
+    if (what.kind == SelectionKind::Edge) return Subject::edge(p[0], p[1]);
+    if (what.kind == SelectionKind::Triangle) return Subject::triangle(p[0], p[1], p[2]);
     return Subject::point(p[0]);
 }
 
