@@ -38,6 +38,14 @@ constexpr bool kRepeats = true;
 
 void togglePage(C& c, HelpPage page) { c.ui.help = c.ui.help == page ? HelpPage::None : page; }
 
+/// Goes to the bookmark at a position of their list, from 0.
+template <std::size_t Place>
+void goMark(C& c) {
+    const Bookmarks& all = c.ui.bookmarks;
+    if (Place < all.size()) return jumpingMoves(c).goTo(all[Place].address);
+    c.session.messages().say("There is no bookmark " + std::to_string(Place + 1) + ".");
+}
+
 const std::string kSaveMeshHelp =
     "Save the final mesh as " + listText(meshFormats(), &MeshFormat::name, "or") + ".";
 const std::string kSaveMeshSynonyms =
@@ -74,7 +82,8 @@ const auto kCommands = std::to_array<Command>({
      "Save the answers to the questions of the open lesson.",
      [](C& c) { openBrowser(c, BrowserTask::SaveResult); }, "lesson answers grade student class"},
     {"file.export", "File", "Export...", "Ctrl+Shift+E",
-     "Write frames as a picture, a page or an animation.", exportFrames,
+     "Write frames as a picture, a page or an animation.",
+     [](C& c) { pause(c), c.ui.exported.open(), openBrowser(c, BrowserTask::Export); },
      "picture svg gif mp4 video html page png frames write"},
     {"file.savepoints", "File", "Save new points...", "", "Save the new points as PLY.", savePoints,
      "export write store ply"},
@@ -99,7 +108,7 @@ const auto kCommands = std::to_array<Command>({
     {"edit.rules.reset", "Edit", "Reset all rules", "",
      "Reset all rules to the values of their set.", resetRules, "default settings"},
     {"edit.whatif.clear", "Edit", "Remove all what-ifs", "", "Run without what-ifs; rules stay.",
-     clearWhatIfs, "undo fork reset"},
+     [](C& c) { c.document.rerun(trueRunOf(c.session.input().rules())); }, "undo fork reset"},
 
     {"run.play", "Run", "Play or pause", "Space P", "Play by the chosen unit, or pause.",
      playOrPause, "animate start stop record movie"},
@@ -130,11 +139,12 @@ const auto kCommands = std::to_array<Command>({
      "Set or remove a breakpoint on the selection, or on this kind of decision.",
      toggleBreakpointHere, "stop halt pause debug toggle"},
     {"run.compare", "Run", "Compare with the other rules", "",
-     "Compare with the robust rules or, if those are on, with the paper's.", compareUsual,
+     "Compare with the robust rules or, if those are on, with the paper's.",
+     [](C& c) { enterCompare(c), c.compare.beginUsual(); },
      "difference side versus"},
     {"run.compare.mesh", "Run", "Compare with a mesh or trace...", "",
      "Compare with a mesh, or a trace, that another program made from the same points.",
-     compareMesh, "difference side reference"},
+     [](C& c) { enterCompare(c), openBrowser(c, BrowserTask::Mesh); }, "difference side reference"},
     {"run.compare.swap", "Run", "Swap the compared runs", "", "Show the other run in all panels.",
      [](C& c) { pause(c), c.compare.swap(); }},
     {"run.compare.stop", "Run", "End comparison", "", "Close the other run, mesh or trace.",
@@ -216,7 +226,8 @@ const auto kCommands = std::to_array<Command>({
      "Copy a link with the fewest points that still end in the alert that is shown.",
      copyFailureLink, "clipboard share reduce minimal case bug report"},
     {"step.paste", "Step", "Go to copied link", "Ctrl+V",
-     "Follow the link, or go to the address, on the clipboard.", pasteLink,
+     "Follow the link, or go to the address, on the clipboard.",
+     [](C& c) { follow(c, c.ui.clipboard.text()); },
      "clipboard jump position"},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
@@ -226,7 +237,7 @@ const auto kCommands = std::to_array<Command>({
      "Move the camera to the view of each decision; on in lessons and Present.", toggleFollow,
      "camera automatic move track"},
     {"view.swing", "View", "Swing the view", "V", "Swing by 20 degrees and back, to show depth.",
-     swing, "parallax rotate depth camera rock"},
+     [](C& c) { c.ui.cameraMove.swing(c.camera); }, "parallax rotate depth camera rock"},
     {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", frameAll,
      "zoom fit whole center"},
     {"view.home", "View", "Camera home", "Enter", "Show everything, its broad side to the eye.",
@@ -279,9 +290,14 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { blankScreen(c, BlankScreen::White); }, "slides projector hide", !kRepeats, "W"},
     {"view.spotlight", "View", "Spotlight", "",
      "In Present, where the key is L: dim all but the neighborhood of the pivot, or stop.",
-     toggleSpotlight, "slides projector highlight focus teach", !kRepeats, "L"},
+     [](C& c) { c.ui.spotlight = !c.ui.spotlight; }, "slides projector highlight focus teach",
+     !kRepeats, "L"},
     {"view.layout.compare", "View", "Layout Compare", "Ctrl+D",
-     "Two runs, or a run and a mesh, side by side on one timeline; again to return.", toggleCompare,
+     "Two runs, or a run and a mesh, side by side on one timeline; again to return.",
+     [](C& c) {
+         const bool on = c.ui.layoutPreset == LayoutPreset::Compare;
+         applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
+     },
      "difference side split versus"},
     {"view.mesh.faults", "View", "Mesh: faults", "",
      "Finished triangles flat gray; at the end of the run, faults are colored.",
@@ -381,7 +397,8 @@ const auto kCommands = std::to_array<Command>({
     {"ask.hit.previous", "Ask", "Previous decision found", "Shift+F3",
      "Go to the previous one that the query line found.", [](C& c) { toHit(c, -1); }, "", kRepeats},
     {"ask.closest", "Ask", "Closest decisions", "",
-     "List the decisions that came closest to going the other way.", openClosest,
+     "List the decisions that came closest to going the other way.",
+     [](C& c) { openPart(c, kQueryPart), c.ui.query.shown = QueryList::Closest; },
      "margin near critical"},
     {"ask.charts", "Ask", "Charts", "", "Show the whole run as charts; each bar is a list.",
      [](C& c) { openPart(c, kChartsPart); }, "statistics histogram bars counts counters numbers"},
@@ -391,26 +408,16 @@ const auto kCommands = std::to_array<Command>({
      "mark favorite pin remember"},
     {"notes.show", "Notes", "Notes", "", "Show the bookmarks and your own text.",
      [](C& c) { c.ui.navigation.opensNotes = true; }, "annotations comments bookmarks"},
-    {"notes.go.1", "Notes", "Go to bookmark 1", "Ctrl+1", "Go to the first bookmark.",
-     [](C& c) { toBookmark(c, 0); }},
-    {"notes.go.2", "Notes", "Go to bookmark 2", "Ctrl+2", "Go to the second bookmark.",
-     [](C& c) { toBookmark(c, 1); }},
-    {"notes.go.3", "Notes", "Go to bookmark 3", "Ctrl+3", "Go to the third bookmark.",
-     [](C& c) { toBookmark(c, 2); }},
-    {"notes.go.4", "Notes", "Go to bookmark 4", "Ctrl+4", "Go to the fourth bookmark.",
-     [](C& c) { toBookmark(c, 3); }},
-    {"notes.go.5", "Notes", "Go to bookmark 5", "Ctrl+5", "Go to the fifth bookmark.",
-     [](C& c) { toBookmark(c, 4); }},
-    {"notes.go.6", "Notes", "Go to bookmark 6", "Ctrl+6", "Go to the sixth bookmark.",
-     [](C& c) { toBookmark(c, 5); }},
-    {"notes.go.7", "Notes", "Go to bookmark 7", "Ctrl+7", "Go to the seventh bookmark.",
-     [](C& c) { toBookmark(c, 6); }},
-    {"notes.go.8", "Notes", "Go to bookmark 8", "Ctrl+8", "Go to the eighth bookmark.",
-     [](C& c) { toBookmark(c, 7); }},
-    {"notes.go.9", "Notes", "Go to bookmark 9", "Ctrl+9", "Go to the ninth bookmark.",
-     [](C& c) { toBookmark(c, 8); }},
-    {"notes.go.10", "Notes", "Go to bookmark 10", "Ctrl+0", "Go to the tenth bookmark.",
-     [](C& c) { toBookmark(c, 9); }},
+    {"notes.go.1", "Notes", "Go to bookmark 1", "Ctrl+1", "Go to the first bookmark.", goMark<0>},
+    {"notes.go.2", "Notes", "Go to bookmark 2", "Ctrl+2", "Go to the second bookmark.", goMark<1>},
+    {"notes.go.3", "Notes", "Go to bookmark 3", "Ctrl+3", "Go to the third bookmark.", goMark<2>},
+    {"notes.go.4", "Notes", "Go to bookmark 4", "Ctrl+4", "Go to the fourth bookmark.", goMark<3>},
+    {"notes.go.5", "Notes", "Go to bookmark 5", "Ctrl+5", "Go to the fifth bookmark.", goMark<4>},
+    {"notes.go.6", "Notes", "Go to bookmark 6", "Ctrl+6", "Go to the sixth bookmark.", goMark<5>},
+    {"notes.go.7", "Notes", "Go to bookmark 7", "Ctrl+7", "Go to the seventh bookmark.", goMark<6>},
+    {"notes.go.8", "Notes", "Go to bookmark 8", "Ctrl+8", "Go to the eighth bookmark.", goMark<7>},
+    {"notes.go.9", "Notes", "Go to bookmark 9", "Ctrl+9", "Go to the ninth bookmark.", goMark<8>},
+    {"notes.go.10", "Notes", "Go to bookmark 10", "Ctrl+0", "Go to the tenth bookmark.", goMark<9>},
 
     {"help.guide", "Help", "Guide", "", "What the window shows, and how to move through a run.",
      [](C& c) { c.ui.help = HelpPage::Guide; }, "manual documentation introduction"},

@@ -114,8 +114,6 @@ void resetRules(C& c) {
     c.document.rerun(rules);
 }
 
-void clearWhatIfs(C& c) { c.document.rerun(trueRunOf(c.session.input().rules())); }
-
 void openBrowser(C& c, BrowserTask task) {
     c.ui.browser = task;
     c.ui.fileBrowser = true;
@@ -131,12 +129,6 @@ void saveMesh(C& c) {
     pause(c);
     c.ui.mesh.open();
     openBrowser(c, BrowserTask::SaveMesh);
-}
-
-void exportFrames(C& c) {
-    pause(c);
-    c.ui.exported.open();
-    openBrowser(c, BrowserTask::Export);
 }
 
 void copyCommand(C& c) { c.mesh.copyCommand({}); }
@@ -230,8 +222,6 @@ void blankScreen(C& c, BlankScreen with) {
     c.ui.blank = with;
 }
 
-void toggleSpotlight(C& c) { c.ui.spotlight = !c.ui.spotlight; }
-
 void showPart(C& c, std::string_view title) {
     const PartRow* part = partNamed(title);
     assert(part != nullptr);
@@ -291,31 +281,9 @@ void scaleBy(C& c, int direction) {
     c.ui.settings.uiScale = chosen;
 }
 
-void toBookmark(C& c, std::size_t place) {
-    if (place >= c.ui.bookmarks.size()) {
-        return c.session.messages().say("There is no bookmark " + std::to_string(place + 1) + ".");
-    }
-    jumpingMoves(c).goTo(c.ui.bookmarks[place].address);
-}
-
-void toggleCompare(CommandContext& c) {
-    const bool on = c.ui.layoutPreset == LayoutPreset::Compare;
-    applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
-}
-
 void enterCompare(C& c) {
     pause(c);
     applyLayoutPreset(c, LayoutPreset::Compare);
-}
-
-void compareUsual(CommandContext& c) {
-    enterCompare(c);
-    c.compare.beginUsual();
-}
-
-void compareMesh(CommandContext& c) {
-    enterCompare(c);
-    openBrowser(c, BrowserTask::Mesh);
 }
 
 void walkPanels(CommandContext& c, int direction) {
@@ -484,8 +452,6 @@ void toggleFollow(CommandContext& c) {
                                 : "The camera stays where it is.");
     if (on) moveToDecision(c, CameraMove::Kind::Requested);
 }
-
-void swing(CommandContext& c) { c.ui.cameraMove.swing(c.camera); }
 
 }  // namespace actions
 

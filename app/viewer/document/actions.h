@@ -41,14 +41,10 @@ void followUpAxis(CommandContext& c);
 /// The next size of text and panels on the scale, larger (+1) or smaller (-1).
 void scaleBy(CommandContext& c, int direction);
 void toggleBookmarkHere(CommandContext& c);
-/// To the bookmark at a position of their list, from 0.
-void toBookmark(CommandContext& c, std::size_t place);
 /// Opens what was chosen in the dialog for a task: an input, a mesh to compare with, or a volume.
 void openFor(CommandContext& c, BrowserTask task, const std::string& source);
 /// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);
-/// Opens the dialog for the export of frames.
-void exportFrames(CommandContext& c);
 /// Copies the command line that makes that mesh to the clipboard.
 void copyCommand(CommandContext& c);
 /// Opens the dialog for saving sampled points.
@@ -57,8 +53,6 @@ void savePoints(CommandContext& c);
 void openPrepare(CommandContext& c);
 /// Resets all rules to the values of their set; what-ifs stay.
 void resetRules(CommandContext& c);
-/// Removes all what-ifs; rules stay.
-void clearWhatIfs(CommandContext& c);
 /// To the next (+1) or previous (-1) mark of the run or bookmark.
 void toMark(CommandContext& c, int direction);
 /// Pauses, and shows the decision unless the user has picked another task.
@@ -68,8 +62,6 @@ void stepByUnit(CommandContext& c, int direction);
 void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 /// Covers the window, in the layout Present.
 void blankScreen(CommandContext& c, BlankScreen with);
-/// Dims all but the neighborhood of the pivot in the layout Present, or stops.
-void toggleSpotlight(CommandContext& c);
 /// Opens the part of the column with the result of an action, in Present in the layout that has a
 /// column: the next step shows the decision again. Requires a title of partRows().
 void showPart(CommandContext& c, std::string_view title);
@@ -92,13 +84,6 @@ void setLoop(CommandContext& c, const char* end, void (PlayLoop::*set)(const Add
 /// Opens the file dialog.
 void openBrowser(CommandContext& c, BrowserTask task);
 
-// Comparing.
-/// Opens the layout Compare, or returns to Debug.
-void toggleCompare(CommandContext& c);
-/// Compares with the most informative rule set beside those of the run.
-void compareUsual(CommandContext& c);
-/// Opens the file dialog.
-void compareMesh(CommandContext& c);
 /// Pauses, in the layout Compare.
 void enterCompare(CommandContext& c);
 
@@ -121,8 +106,6 @@ void frameAll(CommandContext& c);
 void frameSmoothly(CommandContext& c);
 /// While it is on, the camera goes to the view of each decision.
 void toggleFollow(CommandContext& c);
-/// Shows depth by a swing of the view; again: stops it.
-void swing(CommandContext& c);
 
 }  // namespace actions
 

@@ -153,11 +153,6 @@ void openQuery(CommandContext& c) {
     c.ui.query.wantsKeyboard = true;
 }
 
-void openClosest(CommandContext& c) {
-    openPart(c, kQueryPart);
-    c.ui.query.shown = QueryList::Closest;
-}
-
 void toHit(CommandContext& c, int direction) {
     const FoundDecisions* found = c.session.questions().found().answer();
     if (found == nullptr) return openQuery(c);

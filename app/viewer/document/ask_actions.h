@@ -42,7 +42,6 @@ void toLedgerLine(CommandContext& c, int direction);
 void toCause(CommandContext& c);
 /// Opens the panel Query with the keyboard focus on its line.
 void openQuery(CommandContext& c);
-void openClosest(CommandContext& c);
 /// To the next (+1) or previous (-1) decision that the query line found.
 void toHit(CommandContext& c, int direction);
 

@@ -204,8 +204,6 @@ void goToTyped(CommandContext& c) {
         c.session.messages().say(moved.error().message);
 }
 
-void pasteLink(CommandContext& c) { follow(c, c.ui.clipboard.text()); }
-
 }  // namespace actions
 
 namespace {

@@ -48,8 +48,6 @@ void copyFrame(CommandContext& c);
 void follow(CommandContext& c, const std::string& text);
 /// Goes to what was typed into the box with the address, or to the address of a link there.
 void goToTyped(CommandContext& c);
-/// Follows what is on the clipboard.
-void pasteLink(CommandContext& c);
 
 }  // namespace actions
 
