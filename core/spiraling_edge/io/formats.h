@@ -61,9 +61,6 @@ bool isPcd(const FileStart& start);
 /// Version 0.7 and earlier; packed colors become red, green and blue.
 Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 
-/// Appends the fan of a polygon around its first corner; none for fewer than three corners.
-void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
-
 /// Adds the columns red, green and blue: value(p, channel), from 0 to 255.
 template <typename Value>
 void addColorColumns(PointFile& file, Value&& value) {

@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/polygons.h"
 #include "spiraling_edge/points/usable_points.h"
 
 namespace se::io {
@@ -35,6 +36,7 @@ class ObjReader : LineByLine {
         if (file_.position.empty())
             return Error{name_ + ": holds no points (lines that begin with v)"};
         if (!checkReferences()) return problem_;
+        polygons_.cutConcave(file_.position, file_.faces);
         takeNormals();
         (colors_.empty() ? painted_ : colors_).take(file_);
         noteLeftOut();
@@ -174,7 +176,7 @@ class ObjReader : LineByLine {
             return fail("expected a face with three corners or more, found " +
                         std::to_string(polygon_.size()) + "; correct or remove the line");
         }
-        appendFan(polygon_, file_.faces);
+        polygons_.append(polygon_, file_.faces);
         return true;
     }
 
@@ -241,6 +243,7 @@ class ObjReader : LineByLine {
     std::string joined_;
     std::vector<Vec3> normals_;
     std::vector<NormalReference> normalReferences_;
+    Polygons polygons_;
     std::vector<Index> polygon_;
     Highest highestVertex_;
     Highest highestNormal_;
@@ -256,12 +259,6 @@ bool isObj(const FileStart& start) {
 
 Result<PointFile> readObj(std::string_view text, const std::string& name) {
     return ObjReader(text, name).read();
-}
-
-void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles) {
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
-    }
 }
 
 }  // namespace se::io

@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/polygons.h"
 
 namespace se::io {
 namespace {
@@ -162,6 +163,7 @@ class OffReader : LineByLine {
 
     /// `n`, then n point numbers from 0; a color may follow.
     bool readFaces() {
+        Polygons polygons;
         std::vector<Index> polygon;
         for (std::uint64_t i = 0; i < faces_; ++i) {
             Fields fields({});
@@ -177,8 +179,9 @@ class OffReader : LineByLine {
             }
             if (!endRow(fields, "the face")) return false;
             hasFaceColors_ = hasFaceColors_ || (!goesOn_ && !fields.next().empty());
-            appendFan(polygon, file_.faces);
+            polygons.append(polygon, file_.faces);
         }
+        polygons.cutConcave(file_.position, file_.faces);
         return true;
     }
 

@@ -12,6 +12,7 @@
 
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/polygons.h"
 #include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
@@ -461,6 +462,7 @@ class BodyReader {
             if (!rows_.checkRoom(element) || !readElement(element)) return rows_.problem();
         }
         if (!rows_.finish()) return rows_.problem();
+        polygons_.cutConcave(file_.position, file_.faces);
         rows_.addNotes(file_.notes);
         if (viewpoint_ != Vec3(0.0) && isFinite(viewpoint_)) file_.viewpoint = viewpoint_;
         if (const Status status = takeTypes(); !status) return status.error();
@@ -478,10 +480,13 @@ class BodyReader {
             return readRows(element, columns, kNoProperty, ignore);
         }
         if (element.name == "face" || element.name == "tristrips") {
-            const auto append = element.name == "face" ? appendFan : appendStrips;
             noteOthers(element, nowhere, findIndexList(element));
             return readRows(element, nowhere, findIndexList(element), [&] {
-                append(list_, file_.faces);
+                if (element.name == "face") {
+                    polygons_.append(list_, file_.faces);
+                } else {
+                    appendStrips(list_, file_.faces);
+                }
                 return true;
             });
         }
@@ -646,6 +651,7 @@ class BodyReader {
     PointFile file_;
     std::vector<double> types_;
     std::vector<Index> list_;
+    Polygons polygons_;
 };
 
 }  // namespace
