@@ -137,6 +137,20 @@ std::optional<SharedValue> sharedValueOf(std::span<const Vec3> position,
     return shared;
 }
 
+/// True if the gap to the value is wider than the others reach along any axis: no ground below them
+/// is so far away.
+bool isFarOff(std::span<const Vec3> position, std::span<const Aside> aside,
+              const SharedValue& shared) {
+    Vec3 low(kInfinite);
+    Vec3 high(-kInfinite);
+    for (const Index p : othersThan(position, aside, shared)) {
+        low = glm::min(low, position[p]);
+        high = glm::max(high, position[p]);
+    }
+    const Vec3 extent = high - low;
+    return shared.gap > std::max({extent.x, extent.y, extent.z});
+}
+
 /// True if the others have no gap along the axis that is nearly as wide as that to the value: they
 /// are no levels of one kind. O(points log points).
 bool isApart(std::span<const Vec3> position, std::span<const Aside> aside,
@@ -258,7 +272,6 @@ bool isMissing(std::span<const Vec3> position, const std::vector<Aside>& aside,
                const SharedValue& shared, std::size_t used) {
     constexpr double kApart = 0.25;  // Of the range of the others.
     constexpr double kFarApart = 2.0;
-    constexpr std::size_t kFew = 8;  // Fewer need a wider gap.
     const std::size_t count = shared.points.size();
     const bool few = count < kSentinelLimits.copies || 2 * count > used;
     // A level plane beside another one is none.
@@ -266,13 +279,14 @@ bool isMissing(std::span<const Vec3> position, const std::vector<Aside>& aside,
     if (isNeverMeasured(shared.value)) return true;
     if (!isApart(position, aside, shared)) return false;
     constexpr double kMostScattered = 0.3;  // A floor has more.
+    const bool farOff = isFarOff(position, aside, shared);
     const bool mayScatter =
         static_cast<double>(count) <= kMostScattered * static_cast<double>(used) &&
-        (count >= kFew || isNamedSentinel(shared.value) || shared.gap > shared.range);
+        (farOff || isNamedSentinel(shared.value));
     if (mayScatter && isScattered(position, aside, shared)) return true;
     // 0 as a camera has no depth.
-    const bool mayBeRaster =
-        shared.gap > kFarApart * shared.range || (shared.value == 0.0 && areWhole(position, aside));
+    const bool mayBeRaster = farOff || shared.gap > kFarApart * shared.range ||
+                             (shared.value == 0.0 && areWhole(position, aside));
     return mayBeRaster && isRaster(position, aside, shared);
 }
 

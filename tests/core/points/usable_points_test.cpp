@@ -2,7 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <tuple>
+#include <utility>
+
 #include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;
@@ -194,6 +199,26 @@ TEST_CASE("missing values: planes of a scene are none, at any height and in any 
         for (int i = 0; i < 400; ++i) plates.emplace_back(i % 20, i / 20, height);
     }
     CHECK(sentinelsOf(plates).empty());
+}
+
+TEST_CASE("missing values: ground at exactly 0, seen between what stands on it, is none") {
+    Random random(7);
+    // Trees, slats of a table, and a wall behind shelves: nearer to the ground than they are wide.
+    for (const auto& [low, high, width] :
+         {std::tuple(10.0, 18.0, 50.0), {0.88, 0.92, 5.0}, {1.2, 1.5, 4.0}}) {
+        for (const double share : {0.03, 0.1, 0.2}) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Places scene;
+                for (int i = 0; i < 3000; ++i) {
+                    Vec3 x(random.between(0.0, width), random.between(0.0, width), 0.0);
+                    if (random.between(0.0, 1.0) > share) x.z = random.between(low, high);
+                    std::swap(x.z, x[axis]);
+                    scene.push_back(x);
+                }
+                CHECK_MESSAGE(sentinelsOf(scene).empty(), share, " ", low, " ", axis);
+            }
+        }
+    }
 }
 
 TEST_CASE("missing values: levels, floors, and values of most points are none") {
