@@ -6,7 +6,7 @@ earlier program; its meshes are judged by `check` of PROGRAM too, so that both a
 number of places with faults, then each count of docs/robust.md, "Better", that is not 0. A run that takes longer
 than LIMIT seconds (environment, 300) is a cell as well. ONLY (environment) names the settings to run, such as
 `robust`. Exit code 1 if settings that `--best` takes are worse than
-`robust` in any count of any file, or if its work is more than 25 times that of its dearest run. Where it takes none,
+`robust` for any file, or if its work is more than 25 times that of its dearest run. Where it takes none,
 or `robust` makes no triangle, there is nothing to compare; such files are named.
 """
 import json
@@ -65,10 +65,12 @@ def cell(judged):
 
 
 def worse(judged, than):
-    """The counts in which a verdict is worse than another."""
+    """True if a verdict comes after another in the order of `--best` (docs/robust.md)."""
     if judged is None or than is None:
-        return []
-    return [word for key, word in {**COUNTS, "places": "places"}.items() if judged[key] > than[key]]
+        return False
+    def rank(verdict):
+        return (not verdict["sound"], verdict["points_amiss"], verdict["extra_pieces"])
+    return rank(judged) > rank(than)
 
 
 def median(numbers):

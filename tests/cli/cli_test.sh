@@ -280,7 +280,7 @@ report_has_every_field() {
         non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds failed_seeds \
         non_finite zero_normals duplicates unscaled_normals dropped_list_entries alerts_total \
         greatest_distance mean_distance points_lost hole_edges openings_closed extra_pieces \
-        triangles_against_normals pieces_facing_in points_not_covered report_version second_layers small_components \
+        triangles_against_normals pieces_facing_in points_not_covered points_amiss report_version second_layers small_components \
         read prepare triangulate write; do
         [[ "$(number $field report.json)" =~ ^-?[0-9] ]] || fail "no number $field"
     done
@@ -548,10 +548,10 @@ tried = best["tried"]
 first, chosen = tried[0], tried[best["chosen"]]
 assert first["options"] == [] and 2 <= len(tried) <= 20, tried
 robust = [each["verdict"] for each in tried if each["options"] == ["--rules", "robust"] or each["options"] == ["--rules robust"]]
-counts = ["points_lost", "extra_pieces", "hole_edges", "openings_closed", "triangles_against_normals",
-          "pieces_facing_in", "points_not_covered"]
-assert chosen["verdict"]["places"] < first["verdict"]["places"], (first, chosen)
-assert all(chosen["verdict"][each] <= other[each] for other in robust for each in counts), (robust, chosen)
+def rank(verdict):
+    return (not verdict["sound"], verdict["points_amiss"], verdict["extra_pieces"], verdict["mean_distance"])
+assert all(rank(chosen["verdict"]) <= rank(each["verdict"]) for each in tried), (tried, chosen)
+assert rank(chosen["verdict"]) < rank(first["verdict"]), (first, chosen)
 assert len(robust) == 1 and all(each["work"] > 0 for each in tried), tried
 print(" ".join(chosen["options"]))
 EOF
@@ -1324,7 +1324,7 @@ doctor_remedies_help() {
         command=$(sed -n 's/^ *try: spiraling-edge \(.*\) OUT.ply\(.*\)$/\1 OUT.ply\2/p' out)
         if [ $file = twin ]; then
             # The mesh does not suffer from one pair.
-            says out "without gain: spiraling-edge doctor twin.xyz --fix OUT.ply --drop near_duplicates: by paper faults at 1 place (before"
+            says out "without gain: spiraling-edge doctor twin.xyz --fix OUT.ply --drop near_duplicates: by paper 1 point amiss (before"
             is "$command" "" "a command without gain"
             continue
         fi

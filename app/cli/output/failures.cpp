@@ -94,6 +94,7 @@ Json verdictJson(const MeshVerdict& verdict) {
     }
     for (const VerdictCount& count : verdictCounts())
         json[std::string(count.name)] = count.of(verdict);
+    json["points_amiss"] = verdict.amiss;
     json["stray_points"] = verdict.strays;
     json["noise_points"] = verdict.noise;
     json["twin_points"] = verdict.twins;

@@ -132,8 +132,8 @@ struct RunArguments {
             ->needs(out);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
-                     "the doctor would drop) and keep the best mesh: faults at the fewest places, "
-                     "and in no count worse than that of --rules robust (docs/robust.md); a point "
+                     "the doctor would drop) and keep the best mesh: a sound one, or else the "
+                     "one with the fewest points amiss (docs/robust.md); a point "
                      "that it drops is lost. Given normals that fit the points and agree stay as "
                      "they are; at most 20 runs")
             ->excludes(app.get_option("--what-if"));

@@ -385,8 +385,8 @@ def reconstruct(points: Source, normals: Any = None, rules: Optional[str] = None
 
 def best(points: Source, normals: Any = None, rules: str = "robust", progress: Progress = None,
          **options: Any) -> Mesh:
-    """The best mesh of up to 20 runs with other settings, as `run --best` (docs/robust.md): faults at the fewest
-    places, in no count worse than that of the rules "robust". Raises as reconstruct()."""
+    """The best mesh of up to 20 runs with other settings, as `run --best` (docs/robust.md): a sound one, or
+    else the one with the fewest points amiss. Raises as reconstruct()."""
     if isinstance(points, Prepared):
         raise ValueError("points: best() prepares them in several ways, give the points themselves")
     return _core.best(_input(points, normals, None, options.get("most_bytes")), _words({"rules": rules, **options}), progress)

@@ -78,7 +78,7 @@ struct EvidenceLine {
 /// The effect of a command that was tried on the file (why/tried_fixes.h).
 struct TriedFix {
     bool helps = false;
-    std::string text;  ///< A piece of a sentence: "by paper sound (before faults at 4 places)".
+    std::string text;  ///< A piece of a sentence: "by paper sound (before 4 points amiss)".
 };
 
 /// The beginning of the part of Finding::text about Finding::scale.

@@ -657,6 +657,14 @@ MeshInspection inspected(const InspectedMesh& mesh) {
             found.failures.push_back(std::move(failure));
         }
     }
+    found.atFault.assign(mesh.points.size(), false);
+    for (const Fault& fault : mesh.search.faults) {
+        for (const Index i : {fault.triangle, fault.other}) {
+            if (i == kNone) continue;
+            const Triangle& t = mesh.triangles[i];
+            for (const Index p : {t.a, t.b, t.c}) found.atFault[p] = true;
+        }
+    }
     found.work = mesh.search.work;
     found.meanEdge = mesh.size.length(mesh.meanEdge);
     found.twins = mesh.twins;

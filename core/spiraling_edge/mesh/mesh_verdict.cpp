@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string_view>
+#include <tuple>
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/lists.h"
@@ -46,23 +46,25 @@ Loops loopsOf(const MeshJudge* judge, std::span<const MeshFailure> failures, std
 }
 
 /// The number of openings that the mesh covers: most of their points in triangles are on no loop.
+/// Marks all their points.
 std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLoop,
-                           const std::vector<bool>& used) {
+                           const std::vector<bool>& used, std::vector<bool>& amiss) {
     const auto isClosed = [&](const std::vector<Index>& chain) {
         std::ptrdiff_t inside = 0;
         for (const Index p : chain) {
             if (used[p]) inside += onLoop[p] ? -1 : 1;
         }
+        for (const Index p : chain) amiss[p] = amiss[p] || inside > 0;
         return inside > 0;
     };
     return countWhere(judge.openings, isClosed);
 }
 
 /// Counts strays and noise in no triangle, the points that a mesh should have, and those of them
-/// that are not covered.
+/// that are not covered, which it marks.
 void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
                  std::span<const double> distance, const std::vector<bool>& used,
-                 MeshVerdict& verdict) {
+                 MeshVerdict& verdict, std::vector<bool>& amiss) {
     for (Index p = 0; p < used.size(); ++p) {
         const Aside aside = judge.points.asideOf(p);
         if (isUnusable(aside)) continue;
@@ -74,7 +76,18 @@ void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
         ++verdict.toCover;
         const bool covered = used[p] ? !besideHole[p] : distance[p] <= kCovering * judge.spacing[p];
         verdict.uncovered += covered ? 0 : 1;
+        amiss[p] = amiss[p] || !covered;
     }
+}
+
+/// Per point: at a fault, listed or not.
+std::vector<bool> pointsAtFaults(const MeshInspection& inspection) {
+    std::vector<bool> at = inspection.atFault;
+    for (const MeshFailure& each : inspection.failures) {
+        if (!each.kind->fault) continue;
+        for (const Index p : each.points) at[p] = true;
+    }
+    return at;
 }
 
 /// Number of places at which each class is the worst.
@@ -117,6 +130,16 @@ constexpr VerdictCount kCounts[] = {
      [](const MeshVerdict& v) { return v.uncovered; }},
 };
 
+/// Adds what only a judge knows, and marks points.
+void judgePoints(const MeshJudge& judge, const Loops& loops, std::span<const double> distance,
+                 const std::vector<bool>& used, MeshVerdict& verdict, std::vector<bool>& amiss) {
+    verdict.piecesOfPoints = judge.facts.pieces;
+    verdict.openings = judge.openings.size();
+    verdict.closed = closedOpenings(judge, loops.on, used, amiss);
+    if (judge.facts.normalsFit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
+    countPoints(judge, loops.besideHole, distance, used, verdict, amiss);
+}
+
 }  // namespace
 
 MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangles,
@@ -141,13 +164,9 @@ MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangle
     verdict.holeEdges = loops.holeEdges;
     verdict.facingIn = totalOf(verdict.totals, "inward_pieces");
     verdict.fidelity = fidelityFrom(distance);
-    if (!points.judge) return verdict;
-    const MeshJudge& judge = *points.judge;
-    verdict.piecesOfPoints = judge.facts.pieces;
-    verdict.openings = judge.openings.size();
-    verdict.closed = closedOpenings(judge, loops.on, used);
-    if (judge.facts.normalsFit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
-    countPoints(judge, loops.besideHole, distance, used, verdict);
+    std::vector<bool> amiss = pointsAtFaults(inspection);
+    if (points.judge) judgePoints(*points.judge, loops, distance, used, verdict, amiss);
+    verdict.amiss = static_cast<std::size_t>(std::count(amiss.begin(), amiss.end(), true));
     return verdict;
 }
 
@@ -166,27 +185,17 @@ bool isCounted(const FailureClass& kind) {
            }) != nullptr;
 }
 
-const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
-    if (other.triangles == 0 && mesh.triangles > 0) return nullptr;
-    return rowWhere(kCounts,
-                    [&](const VerdictCount& count) { return count.of(mesh) > count.of(other); });
-}
-
-std::size_t sumOfCounts(const MeshVerdict& verdict) {
-    return std::accumulate(
-        std::begin(kCounts), std::end(kCounts), std::size_t{0},
-        [&](std::size_t sum, const VerdictCount& count) { return sum + count.of(verdict); });
-}
-
-bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other) {
-    if (mesh.triangles == 0 || mesh.stopped) return false;
-    if (other.triangles == 0 || other.stopped) return true;
-    if (mesh.places != other.places) return mesh.places < other.places;
-    return sumOfCounts(mesh) < sumOfCounts(other);
+bool isSounder(const MeshVerdict& mesh, const MeshVerdict& other) {
+    const auto rankOf = [](const MeshVerdict& each) {
+        return std::tuple(each.triangles == 0 || each.stopped, !each.isSound(), each.amiss);
+    };
+    return rankOf(mesh) < rankOf(other);
 }
 
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other) {
-    return hasFewerFaults(mesh, other) && worseIn(mesh, other) == nullptr;
+    if (isSounder(mesh, other) || isSounder(other, mesh)) return isSounder(mesh, other);
+    return std::tuple(mesh.extraPieces(), mesh.fidelity.meanDistance) <
+           std::tuple(other.extraPieces(), other.fidelity.meanDistance);
 }
 
 std::string placesText(const MeshVerdict& verdict) {

@@ -42,8 +42,10 @@ struct MeshVerdict {
     /// Points that a mesh should have, away from it by over half a spacing, or in it beside a hole.
     std::size_t uncovered = 0;
     std::size_t toCover = 0;  ///< Points that a mesh should have.
-    Fidelity fidelity;        ///< Distances of all points from the mesh.
-    bool stopped = false;     ///< The run made too many triangles; the mesh is a part.
+    /// Points at a fault, not covered, or on the rim of an opening that the mesh covers.
+    std::size_t amiss = 0;
+    Fidelity fidelity;     ///< Distances of all points from the mesh.
+    bool stopped = false;  ///< The run made too many triangles; the mesh is a part.
 
     /// Pieces of the mesh beyond those of the points; 0 if those are unknown.
     std::size_t extraPieces() const {
@@ -84,17 +86,11 @@ struct VerdictCount {
 std::span<const VerdictCount> verdictCounts();
 /// True for a class of faults that one of verdictCounts() counts, or the edges of.
 bool isCounted(const FailureClass& kind);
-/// The first count in which a mesh is worse than another of the same points; null: in none. No mesh
-/// with triangles is worse than one without.
-const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other);
-/// The sum of all counts.
-std::size_t sumOfCounts(const MeshVerdict& verdict);
-/// True if a mesh has triangles, was not stopped, and has faults at fewer places than another of
-/// the same points, or at as many with a lesser sum of counts, or if that one has no triangle or
-/// was stopped.
-bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other);
-/// True if a mesh is better than another of the same points: it has fewer faults, and is worse in
-/// no count.
+/// True if a mesh comes before another: with triangles and not stopped; sound; with fewer points
+/// amiss. The first that differs decides.
+bool isSounder(const MeshVerdict& mesh, const MeshVerdict& other);
+/// True if a mesh comes before another of the same points: sounder, or else with fewer pieces
+/// beyond those of the points, or at as many at a lesser mean distance from the points.
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other);
 
 /// "73 places", "73 places or more".

@@ -124,8 +124,8 @@ class PreventionSearch {
   private:
     void spend(std::uint64_t steps) { left_ -= std::min(left_, steps); }
 
-    /// Makes a run with a change, and keeps it if it changes the answer and has fewer faults than
-    /// those before; the first one if the steps do not last for a verdict. False if cancelled.
+    /// Makes a run with a change, and keeps it if it changes the answer and its mesh is better
+    /// than those before; the first one if the steps do not last for a verdict. False if cancelled.
     bool runWith(const FieldValue& change, const PointSet& points, const Params& params) {
         if (left_ == 0) return true;
         Stepper whole(points, params);
@@ -140,7 +140,7 @@ class PreventionSearch {
         }
         spend(judging);
         const MeshVerdict verdict = verdictOn(whole.state().mesh());
-        if (found_ && !hasFewerFaults(verdict, *verdict_)) return true;
+        if (found_ && !isBetter(verdict, *verdict_)) return true;
         found_ = change;
         verdict_ = verdict;
         return true;

@@ -122,7 +122,7 @@ Status conclude(const PointSet& points, const Params& params, const ProofAim& ai
 /// `robust` that are off, but `rim`, are run one at a time: first those that decide otherwise in a
 /// step at the pivots of the cause and of the triangles in question, or after `last`, the number of
 /// the last pivot of the run; where none changes the answer, the preparations. Of those that change
-/// it the one with the fewest faults is taken (hasFewerFaults()): all are judged in the same way;
+/// it the one with the best mesh is taken (isBetter()): all are judged in the same way;
 /// or the first, where the steps do not last for a verdict. At most `left` steps; where they do not
 /// last for any that changes it, nothing is said. Fails if cancelled, or as
 /// ProofScope::alternatives does. Deterministic.

@@ -7,9 +7,9 @@
 #include <array>
 #include <cassert>
 #include <optional>
-#include <tuple>
 #include <utility>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/doctor.h"
@@ -54,14 +54,6 @@ std::uint64_t workOf(const State& state) {
     const RepairNumbers& made = state.repair;
     return std::uint64_t{state.counters.pivots} + made.reinserted + made.takenOut + made.flipped +
            made.droppedPatches + made.closedHoles + made.remeshed;
-}
-
-/// Order of trials that are offered, the best first: those in no count worse than the first one,
-/// fewer places, a lesser sum of the counts, lesser distances.
-auto rankOf(const Trials& trials, std::size_t i) {
-    const MeshVerdict& verdict = trials.tried[i].verdict;
-    return std::tuple(worseIn(verdict, trials.tried.front().verdict) != nullptr, verdict.places,
-                      sumOfCounts(verdict), verdict.fidelity.meanDistance);
 }
 
 /// The run to the end; nothing if cancelled.
@@ -117,10 +109,10 @@ class TrialRuns {
         for (std::size_t i = 1; i < tried.size(); ++i) {
             const SpecChange& change = tried[i].change;
             const bool ofRules = change.size() == 1 && change.front().field->key == "rules";
-            if (!ofRules && isOffered(tried, i)) single.push_back(i);
+            if (!ofRules && isBetter(tried[i].verdict, tried[0].verdict)) single.push_back(i);
         }
         std::stable_sort(single.begin(), single.end(), [&](std::size_t a, std::size_t b) {
-            return rankOf(trials, a) < rankOf(trials, b);
+            return isBetter(tried[a].verdict, tried[b].verdict);
         });
         std::vector<SpecChange> pairs;
         for (std::size_t i = 1; i < single.size(); ++i) {
@@ -233,17 +225,15 @@ class TrialSearch {
     Trials trials;
 
   private:
-    /// All are compared again: what plain `robust` rules out is known only after its trial, which
-    /// is the first of a change. So no trial becomes the best after another one was.
+    /// Compares the last trial with the best so far; the meshes of others are dropped.
     void chooseBest() {
-        trials.best = 0;
-        for (std::size_t i = 1; i < trials.tried.size(); ++i) {
-            if (!isOffered(trials.tried, i)) continue;
-            if (trials.best == 0 || rankOf(trials, i) < rankOf(trials, trials.best))
-                trials.best = i;
-        }
-        for (std::size_t i = 1; i < trials.tried.size(); ++i) {
-            if (i != trials.best) trials.tried[i].mesh.reset();
+        std::vector<Trial>& tried = trials.tried;
+        const std::size_t last = tried.size() - 1;
+        if (isBetter(tried[last].verdict, tried[trials.best].verdict)) {
+            if (trials.best > 0) tried[trials.best].mesh.reset();
+            trials.best = last;
+        } else if (last > 0) {
+            tried[last].mesh.reset();
         }
     }
 
@@ -271,24 +261,6 @@ std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b) {
     return both;
 }
 
-std::size_t plainRobust(const std::vector<Trial>& tried) {
-    const SpecChange robust = specChange({{"rules", "robust"}});
-    const auto has = [&](const Trial& each) { return each.change == robust; };
-    const auto found = std::find_if(tried.begin(), tried.end(), has);
-    return static_cast<std::size_t>(found - tried.begin());
-}
-
-bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
-    assert(trial < tried.size());
-    const MeshVerdict& verdict = tried[trial].verdict;
-    const std::size_t robust = plainRobust(tried);
-    if (robust == tried.size()) return isBetter(verdict, tried.front().verdict);
-    const MeshVerdict& plain = tried[robust].verdict;
-    const bool worse = plain.triangles > 0 && !plain.stopped && verdict.places > plain.places;
-    return !worse && hasFewerFaults(verdict, tried.front().verdict) &&
-           worseIn(verdict, plain) == nullptr;
-}
-
 std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before) {
     std::string text;
     for (const VerdictCount& each : verdictCounts()) {
@@ -304,6 +276,7 @@ std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before) {
 std::string describe(const MeshVerdict& verdict) {
     std::string text = headlineOf(verdict);
     if (verdict.stopped) return text;
+    if (verdict.amiss > 0) text += "; " + counted(verdict.amiss, "point") + " amiss";
     for (const auto& [count, what] : {std::pair(verdict.strays, " far from all others"),
                                       std::pair(verdict.noise, " set aside as noise")}) {
         if (count > 0) text += "; " + std::to_string(count) + what;

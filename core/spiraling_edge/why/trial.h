@@ -37,14 +37,6 @@ inline constexpr std::size_t kMaxTrials = 20;
 /// Number of points above which trials are made only at the user's request.
 inline constexpr std::size_t kManyForTrials = 300'000;
 
-/// Position of the plain run of the rules of `robust`: that of the first trial if it has these
-/// rules already, or tried.size() if it was not made yet.
-std::size_t plainRobust(const std::vector<Trial>& tried);
-/// True if a trial may be chosen: its mesh is in no count worse than that of plain `robust`, has
-/// faults at no more places, and fewer faults (hasFewerFaults()) than that of the first trial. In
-/// some count it can be worse than the first, where rules that make no faulty triangle leave a
-/// hole: lossesText() names it.
-bool isOffered(const std::vector<Trial>& tried, std::size_t trial);
 /// "more edges of holes (222, before 39)": the counts in which a mesh is worse than another of the
 /// same points; empty if in none.
 std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before);

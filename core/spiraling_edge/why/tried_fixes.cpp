@@ -12,11 +12,12 @@
 namespace se {
 namespace {
 
-/// "sound", "no triangle", "faults at 4 places".
+/// What isSounder() compares: "sound", "no triangle", "stopped", "4 points amiss".
 std::string endOf(const MeshVerdict& verdict) {
     if (verdict.triangles == 0) return "no triangle";
+    if (verdict.stopped) return "stopped";
     if (verdict.isSound()) return "sound";
-    return "faults at " + counted(verdict.places, "place");
+    return counted(verdict.amiss, "point") + " amiss";
 }
 
 /// The cost of a trial, in the unit of kWorkOfFixes.
@@ -95,15 +96,9 @@ class FixTrials {
         bool harms = false;
         const auto compare = [&](std::string_view rules, const MeshVerdict& now,
                                  const MeshVerdict& then) {
-            const bool fewer = hasFewerFaults(now, then);
-            const bool more = hasFewerFaults(then, now);
-            helps = helps || fewer;
-            harms = harms || more;
-            const bool asMany = now.places > 0 && now.places == then.places;
-            tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) +
-                          (asMany && fewer  ? " fewer "
-                           : asMany && more ? " more "
-                                            : " ") +
+            helps = helps || isSounder(now, then);
+            harms = harms || isSounder(then, now);
+            tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) + " " +
                           endOf(now) + " (before " + endOf(then) + ")";
         };
         compare("paper", after.value().paper, before_->paper);

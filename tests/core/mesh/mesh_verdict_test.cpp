@@ -101,29 +101,35 @@ TEST_CASE("verdict: faults are counted in one of the counts, or by their class")
     }
 }
 
-TEST_CASE("verdict: better is worse in no count, with faults at fewer places") {
-    const MeshVerdict ten = withPlaces(10);
-    CHECK(isBetter(withPlaces(9), ten));
-    CHECK_FALSE(isBetter(ten, ten));
-    const auto worsened = [](std::size_t MeshVerdict::*count) {
-        MeshVerdict verdict = withPlaces(0);
-        verdict.piecesOfPoints = 1;
-        verdict.pieces = 1;
-        ++(verdict.*count);
-        return verdict;
-    };
-    for (const auto count :
-         {&MeshVerdict::lost, &MeshVerdict::pieces, &MeshVerdict::holeEdges, &MeshVerdict::closed,
-          &MeshVerdict::against, &MeshVerdict::facingIn, &MeshVerdict::uncovered}) {
-        CHECK_FALSE(isBetter(worsened(count), ten));
-        CHECK(worseIn(worsened(count), ten) != nullptr);
+TEST_CASE("verdict: sound is better, then fewer points amiss, however many places they are at") {
+    // One tangle is one place, two holes are two.
+    MeshVerdict tangled = withPlaces(1);
+    tangled.amiss = 900;
+    MeshVerdict holes = withPlaces(2);
+    holes.amiss = 6;
+    CHECK(isBetter(holes, tangled));
+    CHECK_FALSE(isBetter(tangled, holes));
+    CHECK_FALSE(isBetter(holes, holes));
+    // A sound mesh may close an opening, and be in a piece more.
+    MeshVerdict sound = withPlaces(0);
+    sound.amiss = 30;
+    sound.piecesOfPoints = 1;
+    sound.pieces = 2;
+    CHECK(isBetter(sound, holes));
+    MeshVerdict whole = sound;
+    whole.pieces = 1;
+    CHECK(isBetter(whole, sound));
+    MeshVerdict nearer = whole;
+    whole.fidelity.meanDistance = 0.1;
+    CHECK(isBetter(nearer, whole));
+    CHECK_FALSE(isSounder(nearer, whole));
+    for (const bool stopped : {true, false}) {
+        MeshVerdict none = withPlaces(0);
+        none.stopped = stopped;
+        if (!stopped) none.triangles = 0;
+        CHECK(isBetter(tangled, none));
+        CHECK_FALSE(isBetter(none, tangled));
     }
-    MeshVerdict stopped = withPlaces(0);
-    stopped.stopped = true;
-    CHECK_FALSE(isBetter(stopped, ten));
-    MeshVerdict nothing = withPlaces(0);
-    nothing.triangles = 0;
-    CHECK_FALSE(isBetter(nothing, ten));
 }
 
 TEST_CASE("verdict: a stray is counted beside the points lost, and in a triangle it is a spike") {
@@ -163,7 +169,8 @@ TEST_CASE("verdict: of twins one may be in no triangle, of other points none") {
     CHECK(lost.lost == 1);
     CHECK(lost.holeEdges == mesh.size() - torn.size());
     CHECK(lost.uncovered == lost.holeEdges + 1);
-    CHECK(worseIn(lost, twin) != nullptr);
+    CHECK(lost.amiss == lost.uncovered);
+    CHECK(isBetter(twin, lost));
 }
 
 TEST_CASE("verdict: a closed piece faces in, unless it is within another and its normals say so") {
@@ -219,7 +226,8 @@ TEST_CASE("verdict: an opening of the points that the mesh covers is closed") {
     const MeshVerdict paper =
         verdictOf(points, reconstruct(points, *paramsByName("paper")).state.mesh());
     CHECK(paper.closed == 1);
-    CHECK(worseIn(paper, sound) != nullptr);
+    CHECK(paper.amiss >= points.judge->openings.front().size());
+    CHECK(isBetter(sound, paper));
 }
 
 TEST_CASE("verdict: triangles against given normals count where these fit") {

@@ -230,7 +230,7 @@ TEST_CASE("failure proof: where no rule prevents a fault, lists of another lengt
             continue;
         }
         const Trial other = trialOfRun(file, changed(spec, {each.change})).value();
-        CHECK_FALSE(hasFewerFaults(other.verdict, with.verdict));
+        CHECK_FALSE(isBetter(other.verdict, with.verdict));
     }
 }
 

@@ -20,20 +20,7 @@ using namespace se::test;
 
 namespace {
 
-/// A trial whose mesh has holes at some places, and points lost.
-Trial trialWith(std::size_t places, std::size_t lost = 0, const SpecChange& change = {}) {
-    Trial trial{change, {}, {}, 1};
-    trial.verdict.triangles = 100;
-    trial.verdict.places = places;
-    trial.verdict.lost = lost;
-    trial.verdict.totals.resize(failureClasses().size());
-    const auto holes = findFailureClass("holes") - failureClasses().data();
-    trial.verdict.totals[static_cast<std::size_t>(holes)] = {places, places, true};
-    return trial;
-}
 const SpecChange kRobust = specChange({{"rules", "robust"}});
-const SpecChange kSixteen = specChange({{"rules", "robust"}, {"neighbors", "16"}});
-
 Trials triedOn(const PointFile& file, const RunSpec& spec = {}) {
     Result<Trials> trials = tryChanges(file, spec);
     REQUIRE(trials.ok());
@@ -46,55 +33,14 @@ PointFile sceneFile(const char* id) { return findScene(id)->build(); }
 
 }  // namespace
 
-TEST_CASE("trials: what is offered has faults at fewer places than the open run") {
-    CHECK(isOffered({trialWith(10), trialWith(9, 0, kRobust)}, 1));
-    CHECK_FALSE(isOffered({trialWith(10), trialWith(10, 0, kRobust)}, 1));
-    CHECK_FALSE(isOffered({trialWith(10), trialWith(11, 0, kRobust)}, 1));
-    // At as many places, the one that loses fewer points.
-    CHECK(isOffered({trialWith(10, 1), trialWith(10, 0, kRobust)}, 1));
-}
-
-TEST_CASE("trials: what is offered is worse than plain robust in no count") {
-    const std::vector<Trial> tried{trialWith(10, 5), trialWith(6, 2, kRobust),
-                                   trialWith(4, 3, kSixteen)};
-    CHECK(plainRobust(tried) == 1);
-    CHECK(isOffered(tried, 1));
-    CHECK_FALSE(isOffered(tried, 2));
-    CHECK(isOffered({tried[0], tried[1], trialWith(4, 2, kSixteen)}, 2));
-}
-
-TEST_CASE("trials: what is offered has faults at no more places than plain robust") {
-    // The last one is worse than the first in no count, while `robust` loses more points.
-    const Trial robust = trialWith(3, 2, kRobust);
-    CHECK_FALSE(isOffered({trialWith(10, 1), robust, trialWith(4, 1, kSixteen)}, 2));
-    CHECK(isOffered({trialWith(10, 1), robust, trialWith(3, 1, kSixteen)}, 2));
-}
-
-TEST_CASE("trials: no mesh is worse than none") {
-    Trial robust = trialWith(6, 2, kRobust);
-    robust.verdict.triangles = 0;
-    CHECK(isOffered({trialWith(10, 5), robust, trialWith(4, 3, kSixteen)}, 2));
-}
-
-TEST_CASE("trials: of an open run of robust, what is offered is worse than it in no count") {
-    const SpecChange sixteen = specChange({{"neighbors", "16"}});
-    CHECK(isOffered({trialWith(6, 2), trialWith(4, 2, sixteen)}, 1));
-    CHECK_FALSE(isOffered({trialWith(6, 2), trialWith(4, 3, sixteen)}, 1));
-}
-
 TEST_CASE("trials: losses against the open run are named") {
-    CHECK(lossesText(trialWith(1).verdict, trialWith(2, 3).verdict).empty());
-    CHECK(lossesText(trialWith(1, 8).verdict, trialWith(2, 3).verdict) ==
-          "more points lost (8, before 3)");
-}
-
-TEST_CASE("trials: a run that was stopped, or made nothing, is not offered") {
-    Trial stopped = trialWith(0, 0, kRobust);
-    stopped.verdict.stopped = true;
-    CHECK_FALSE(isOffered({trialWith(10), stopped}, 1));
-    Trial nothing = trialWith(0, 0, kRobust);
-    nothing.verdict.triangles = 0;
-    CHECK_FALSE(isOffered({trialWith(10), nothing}, 1));
+    MeshVerdict mesh;
+    CHECK(lossesText(mesh, mesh).empty());
+    MeshVerdict before;
+    before.lost = 3;
+    CHECK(lossesText(mesh, before).empty());
+    mesh.lost = 8;
+    CHECK(lossesText(mesh, before) == "more points lost (8, before 3)");
 }
 
 TEST_CASE("trials: a sound mesh without a change needs no other") {
@@ -122,7 +68,6 @@ TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the sea
     REQUIRE(trials.tried.size() >= 2);
     CHECK(trials.tried[0].change.empty());
     CHECK(trials.tried[1].change == kRobust);
-    CHECK(bestOf(trials).places < trials.tried[0].verdict.places);
     CHECK(bestOf(trials).isSound());
     CHECK(trials.best + 1 == trials.tried.size());
 }
@@ -131,7 +76,7 @@ TEST_CASE("trials: what is better than the open run is found within the first th
     const Trials trials = triedOn(sceneFile("uneven-density"));
     REQUIRE(trials.best > 0);
     std::size_t first = 1;
-    while (!isOffered(trials.tried, first)) ++first;
+    while (!isBetter(trials.tried[first].verdict, trials.tried[0].verdict)) ++first;
     CHECK(first < 3);
 }
 

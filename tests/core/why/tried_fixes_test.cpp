@@ -30,8 +30,7 @@ std::string endOfRun(const PointFile& file, const char* rules, NormalSource norm
     const MeshVerdict verdict = judgeMesh(prepared.points, state.mesh()).verdict;
     if (verdict.triangles == 0) return "no triangle";
     if (verdict.isSound()) return "sound";
-    return "faults at " + std::to_string(verdict.places) +
-           (verdict.places == 1 ? " place" : " places");
+    return std::to_string(verdict.amiss) + (verdict.amiss == 1 ? " point amiss" : " points amiss");
 }
 
 std::string effectOf(const PointFile& before, const PointFile& after, NormalSource normals) {

@@ -45,8 +45,8 @@ bool showsNumbers(const PanelContext& context) {
     return open;
 }
 
-/// The counts of the open run, and of the best trial if there is one: a row for each that is not 0,
-/// those that settings are compared by first; and distances in spacings.
+/// The counts of the open run, and of the best trial if there is one: points amiss, by which
+/// settings are compared, a row for each other that is not 0, and distances in spacings.
 void drawNumbers(const PanelContext& context, const MeshVerdict& now, const MeshVerdict* then) {
     const Model& model = context.session().model();
     const int columns = then != nullptr ? 3 : 2;
@@ -70,6 +70,7 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
     if (then != nullptr) row("", "now", "then");
     both("places with faults",
          [](const MeshVerdict& of) { return knownText(of.places, of.allPlaces); });
+    both("points amiss", [](const MeshVerdict& of) { return grouped(of.amiss); });
     for (const VerdictCount& count : verdictCounts()) {
         if (count.of(now) > 0 || (then != nullptr && count.of(*then) > 0))
             both(std::string(count.plural),
@@ -106,11 +107,7 @@ void drawChange(const PanelContext& context, const MeshChange& change) {
 /// The other settings that were tried, beside the open run.
 void drawBest(const PanelContext& context, const TrialJob& job, const Trial& best) {
     const MeshVerdict& now = job.trials().tried.front().verdict;
-    // In some count it can be worse: the table shows which.
-    const bool better = worseIn(best.verdict, now) == nullptr;
-    textIn(context.fonts.strong,
-           std::string(better ? "Better settings" : "Settings with fewer places") +
-               (job.busy() ? " so far" : ""));
+    textIn(context.fonts.strong, std::string("Better settings") + (job.busy() ? " so far" : ""));
     wrappedText(wordsOf(best.change));
     ImGui::BeginGroup();
     drawNumbers(context, now, &best.verdict);
