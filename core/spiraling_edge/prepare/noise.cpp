@@ -4,11 +4,13 @@
 #include "spiraling_edge/prepare/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/base/two_heaps.h"
 
 namespace se {
 namespace {
@@ -20,6 +22,12 @@ constexpr double kApartSpacings = 2.0;
 constexpr double kReach = 6.0;
 /// Number of neighbors: farther ones lie higher wherever the surface bends.
 constexpr std::size_t kNearest = 12;
+/// Heights are of two sheets if their distance explains this share of the variance, and is at least
+/// this many spacings; a sheet has at least so many of the points. Of nearer sheets the lists
+/// of a point hold as many points of either.
+constexpr double kSheetsShare = 0.85;
+constexpr double kSheetsApart = 1.0;
+constexpr std::size_t kOfSheet = 4;
 
 /// Least number of points per thread.
 constexpr std::size_t kPatchesPerThread = 2048;
@@ -45,16 +53,24 @@ NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
     return patch;
 }
 
-/// Root mean square of the heights of a list over the tangent plane of p, in spacings.
+/// Root mean square of the heights of a list over the tangent plane of p, in spacings; where these
+/// are of two sheets, of those on the sheet of p.
 double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
                         std::span<const Index> list, Index p) {
-    double squares = 0.0;
-    for (const Index x : list) {
-        const double height = glm::dot(position[x] - position[p], normal);
-        squares += height * height;
+    std::array<double, kNearest + 1> heights{};  // The last one is that of p.
+    for (std::size_t i = 0; i < list.size(); ++i)
+        heights[i] = glm::dot(position[list[i]] - position[p], normal);
+    std::span<double> own(heights.data(), list.size() + 1);
+    const double spacing = glm::distance(position[sixthOf(list)], position[p]);
+    const TwoHeaps heaps = twoHeapsOf(own);
+    if (heaps.share >= kSheetsShare && heaps.apart >= kSheetsApart * spacing) {
+        const bool onLower = heaps.cut > 0.0;
+        const std::size_t count = onLower ? heaps.lower : own.size() - heaps.lower;
+        if (count >= kOfSheet) own = onLower ? own.first(count) : own.last(count);
     }
-    const Vec3 spacing = position[sixthOf(list)] - position[p];
-    return std::sqrt(squares / static_cast<double>(list.size())) / glm::length(spacing);
+    double squares = 0.0;
+    for (const double height : own) squares += height * height;
+    return std::sqrt(squares / static_cast<double>(own.size() - 1)) / spacing;
 }
 
 }  // namespace

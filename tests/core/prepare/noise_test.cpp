@@ -256,3 +256,22 @@ TEST_CASE("noise: its amount and middle are the same for any number of threads")
         CHECK(patches[5].width == 0.0);
     }
 }
+
+TEST_CASE("noise: two clean sheets that face the same way are two surfaces, and lose no point") {
+    for (const double apart : {1.5, 2.0}) {
+        PointFile file;
+        Random random(4);
+        for (int i = 0; i < 1800; ++i) {
+            const double x = i % 30 + random.between(-0.2, 0.2);
+            const double y = i / 30 % 30 + random.between(-0.2, 0.2);
+            file.position.emplace_back(x, y, i < 900 ? 0.0 : apart);
+            file.normal.emplace_back(0.0, 0.0, 1.0);
+        }
+        const Prepared prepared = preparedBy("robust", file);
+        CHECK(prepared.report.noise < 0.1);
+        CHECK(prepared.report.count(Aside::Noise) == 0);
+        // Noise as wide as they are apart is noise.
+        for (Vec3& x : file.position) x.z += random.between(-apart, apart);
+        CHECK(preparedBy("robust", file).report.noise > kNoisy);
+    }
+}
