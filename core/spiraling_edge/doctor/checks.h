@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/two_heaps.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -22,9 +23,9 @@ namespace se {
 /// Heights about a point over the surface that fits its surroundings, in its spacings
 /// (surface_checks.cpp). Negative: too few points for a fit.
 struct Roughness {
-    double narrow = -1.0;   ///< Root mean square, about a fit to its list.
-    double wide = -1.0;     ///< About a fit to its list and the lists of that.
-    double kurtosis = 3.0;  ///< FitHeights::kurtosis of the latter.
+    double narrow = -1.0;  ///< Root mean square, about a fit to its list.
+    double wide = -1.0;    ///< About a fit to its list and the lists of that.
+    TwoHeaps heaps{};      ///< Of the latter.
 };
 
 /// Two layers of one surface (surface_checks.cpp). Lengths in spacings.

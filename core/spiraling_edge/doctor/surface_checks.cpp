@@ -1,8 +1,8 @@
 /// Checks of the points as a surface: noise, and two layers of one surface, as two scans that were
 /// not well registered leave. Each point's list, and the lists of that list, are fitted by a
 /// quadric (surface_fit.h). The heights over the small patch are the noise. Those over the wide one
-/// are spread as noise is, or stand in two heaps: their kurtosis tells, averaged by the median over
-/// the patch. Thresholds are measured: docs/doctor.md. O(points times patch).
+/// are spread as noise is, or stand in two heaps: TwoHeaps::share tells, averaged by the median
+/// over the patch. Thresholds are measured: docs/doctor.md. O(points times patch).
 #include <algorithm>
 #include <cmath>
 
@@ -51,30 +51,9 @@ void widePatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch)
 /// Heights so low, in spacings, are those of a surface that bends.
 constexpr double kBends = 0.05;
 
-/// Median of the kurtosis over the wide patch of p; heights that are low are left out.
-double kurtosisAround(const ExaminedFile& examined, const std::vector<Index>& patch,
-                      std::vector<double>& values) {
-    values.clear();
-    for (const Index q : patch) {
-        if (examined.roughness[q].wide > kBends) values.push_back(examined.roughness[q].kurtosis);
-    }
-    return values.empty() ? Roughness{}.kurtosis : medianOf(values);
-}
-
-/// Half the distance of two layers, squared, in units of the mean square of the heights about both:
-/// the heights of two layers +-a with noise s have the moments m2 = a^2 + s^2 and m4 = 3 m2^2 -
-/// 2 a^4. The kurtosis is first stretched from the range that a fit leaves to that of the formula.
-double shareOfLayers(double kurtosis) {
-    constexpr double kNoise = 2.75;  // See FitHeights.
-    constexpr double kLayers = 1.5;
-    const double stretched =
-        std::clamp(3.0 - 2.0 * (kNoise - kurtosis) / (kNoise - kLayers), 1.0, 3.0);
-    return std::sqrt((3.0 - stretched) / 2.0);
-}
-
-/// Kurtosis about each point, where heights are not low.
-std::vector<double> kurtosisAroundAll(const ExaminedFile& examined) {
-    std::vector<double> around(examined.size(), Roughness{}.kurtosis);
+/// TwoHeaps::share about each point: the median over its wide patch, where heights are not low.
+std::vector<double> shareAroundAll(const ExaminedFile& examined) {
+    std::vector<double> around(examined.size(), 0.0);
     forRanges(examined.size(), 0, kFitsPerThread, [&](std::size_t from, std::size_t to) {
         std::vector<Index> patch;
         std::vector<double> values;
@@ -82,30 +61,24 @@ std::vector<double> kurtosisAroundAll(const ExaminedFile& examined) {
             const auto p = static_cast<Index>(i);
             if (examined.roughness[p].wide <= kBends) continue;
             widePatch(examined, p, patch);
-            around[i] = kurtosisAround(examined, patch, values);
+            values.clear();
+            for (const Index q : patch) {
+                const Roughness& each = examined.roughness[q];
+                if (each.wide > kBends) values.push_back(each.heaps.share);
+            }
+            around[i] = medianOf(values);
         }
     });
     return around;
 }
 
-/// Medians over points with two heaps of heights.
-struct Heaps {
-    double narrow = 0.0;
-    double wide = 0.0;
-    double kurtosis = 0.0;
-};
-
-Heaps heapsAt(const ExaminedFile& examined, const std::vector<Index>& points,
-              const std::vector<double>& around) {
-    std::vector<double> narrow;
-    std::vector<double> wide;
-    std::vector<double> kurtosis;
-    for (const Index p : points) {
-        narrow.push_back(examined.roughness[p].narrow);
-        wide.push_back(examined.roughness[p].wide);
-        kurtosis.push_back(around[p]);
-    }
-    return {medianOf(narrow), medianOf(wide), medianOf(kurtosis)};
+/// The median of a value of the roughness at these points.
+template <typename Value>
+double medianAt(const ExaminedFile& examined, const std::vector<Index>& points, Value&& value) {
+    std::vector<double> values(points.size());
+    std::transform(points.begin(), points.end(), values.begin(),
+                   [&](Index p) { return value(examined.roughness[p]); });
+    return medianOf(values);
 }
 
 /// "0.26 spacings (0.0114)": also in the file's units.
@@ -154,35 +127,38 @@ std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
             if (const auto small = fitQuadric(examined.file.position, patch))
                 result[p].narrow = small->deviation / examined.spacing[p];
             widePatch(examined, p, patch);
-            const auto wide = fitQuadric(examined.file.position, patch);
+            const auto wide = fitQuadric(examined.file.position, patch, true);
             if (!wide) continue;
             result[p].wide = wide->deviation / examined.spacing[p];
-            result[p].kurtosis = wide->kurtosis;
+            result[p].heaps = wide->heaps;
+            result[p].heaps.apart /= examined.spacing[p];
+            result[p].heaps.within /= examined.spacing[p];
         }
     });
     return result;
 }
 
 std::optional<Layers> layersOf(const ExaminedFile& examined) {
-    // Single surfaces with noise of any kind, and clean sets, stay above 1.95 nearly everywhere.
-    constexpr double kTwoHeaps = 1.95;
+    // Single surfaces with noise of any kind, and clean sets, stay below nearly everywhere.
+    constexpr double kTwoHeaps = 0.835;
     constexpr std::size_t kLeastShare = 10;  // One in ten.
-    constexpr double kDrawn = 2.2;
+    constexpr double kDrawn = 0.79;
     if (examined.presentCount < kFewPoints) return std::nullopt;
-    const std::vector<double> around = kurtosisAroundAll(examined);
-    const auto isCertain = [](double kurtosis) { return kurtosis < kTwoHeaps; };
+    const std::vector<double> around = shareAroundAll(examined);
+    const auto isCertain = [](double share) { return share > kTwoHeaps; };
     if (countWhere(around, isCertain) * kLeastShare <
         std::max<std::size_t>(examined.presentCount, 1))
         return std::nullopt;
     Layers layers;
-    layers.points = pointsWhere(examined.size(), [&](Index p) { return around[p] < kDrawn; });
-    const Heaps heaps = heapsAt(examined, layers.points, around);
+    layers.points = pointsWhere(examined.size(), [&](Index p) { return around[p] > kDrawn; });
+    const auto median = [&](auto&& value) { return medianAt(examined, layers.points, value); };
     // Layers stand over each other everywhere, thin parts and creases only in wide patches.
     constexpr double kEverywhere = 0.75;
-    if (heaps.narrow < kEverywhere * heaps.wide) return std::nullopt;
-    const double share = shareOfLayers(heaps.kurtosis);
-    layers.apart = 2.0 * heaps.wide * std::sqrt(share);
-    layers.noise = heaps.wide * std::sqrt(1.0 - share);
+    if (median([](const Roughness& each) { return each.narrow; }) <
+        kEverywhere * median([](const Roughness& each) { return each.wide; }))
+        return std::nullopt;
+    layers.apart = median([](const Roughness& each) { return each.heaps.apart; });
+    layers.noise = median([](const Roughness& each) { return each.heaps.within; });
     return layers;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "spiraling_edge/prepare/normals.h"
 
@@ -76,11 +77,9 @@ bool solve(Equations& equations) {
     return true;
 }
 
-Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
-                      std::span<const Index> patch) {
+Equations equationsOf(std::span<const FitRow> rows) {
     Equations equations{};
-    for (const Index q : patch) {
-        const FitRow row = frame.rowOf(position[q]);
+    for (const FitRow& row : rows) {
         for (std::size_t i = 0; i < kFitCoefficients; ++i) {
             for (std::size_t j = i; j <= kFitCoefficients; ++j) equations[i][j] += row[i] * row[j];
         }
@@ -92,29 +91,63 @@ Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
     return equations;
 }
 
-}  // namespace
-
-std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch) {
-    if (patch.size() < kLeastFitted) return std::nullopt;
-    const std::optional<PatchFrame> frame = frameOf(position, patch);
-    if (!frame) return std::nullopt;
-    Equations equations = equationsOf(*frame, position, patch);
-    if (!solve(equations)) return std::nullopt;
-    double second = 0.0;
-    double fourth = 0.0;
-    for (const Index q : patch) {
-        const FitRow row = frame->rowOf(position[q]);
+/// Heights over the surface that fits the rows best; false if they do not determine it.
+bool heightsOver(std::span<const FitRow> rows, std::vector<double>& heights) {
+    Equations equations = equationsOf(rows);
+    if (!solve(equations)) return false;
+    heights.clear();
+    for (const FitRow& row : rows) {
         double height = row[kFitCoefficients];
         for (std::size_t i = 0; i < kFitCoefficients; ++i)
             height -= equations[i][kFitCoefficients] * row[i];
-        second += height * height;
-        fourth += height * height * height * height;
+        heights.push_back(height);
     }
+    return true;
+}
+
+/// The heaps of the heights over a surface that is fitted to both as one. Requires heights over
+/// the rows, which move.
+TwoHeaps heapsOver(std::vector<FitRow>& rows, std::vector<double>& heights) {
+    constexpr int kRounds = 3;  // Then the heaps stay.
+    std::vector<double> sorted = heights;
+    TwoHeaps heaps = twoHeapsOf(sorted);
+    for (int round = 0; round < kRounds && heaps.share > 0.0; ++round) {
+        std::vector<FitRow> joined = rows;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            joined[i][kFitCoefficients] -= heights[i] >= heaps.cut ? heaps.apart : 0.0;
+        std::vector<double> over;
+        if (!heightsOver(joined, over)) break;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            heights[i] = over[i] + rows[i][kFitCoefficients] - joined[i][kFitCoefficients];
+        sorted = heights;
+        heaps = twoHeapsOf(sorted);
+    }
+    return heaps;
+}
+
+}  // namespace
+
+std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch,
+                                     bool layers) {
+    if (patch.size() < kLeastFitted) return std::nullopt;
+    const std::optional<PatchFrame> frame = frameOf(position, patch);
+    if (!frame) return std::nullopt;
+    std::vector<FitRow> rows;
+    rows.reserve(patch.size());
+    for (const Index q : patch) rows.push_back(frame->rowOf(position[q]));
+    std::vector<double> over;
+    if (!heightsOver(rows, over)) return std::nullopt;
+    double squares = 0.0;
+    for (const double height : over) squares += height * height;
     const auto count = static_cast<double>(patch.size());
     FitHeights heights;
     heights.deviation =
-        frame->length * std::sqrt(second / (count - static_cast<double>(kFitCoefficients)));
-    if (second > 0.0) heights.kurtosis = count * fourth / (second * second);
+        frame->length * std::sqrt(squares / (count - static_cast<double>(kFitCoefficients)));
+    if (!layers) return heights;
+    heights.heaps = heapsOver(rows, over);
+    heights.heaps.apart *= frame->length;
+    heights.heaps.within *=
+        frame->length * std::sqrt(count / (count - static_cast<double>(kFitCoefficients)));
     return heights;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "spiraling_edge/base/two_heaps.h"
 #include "spiraling_edge/base/types.h"
 
 namespace se {
@@ -15,15 +16,15 @@ struct FitHeights {
     /// coefficients). In the unit of the positions; on a smooth surface it is the noise along the
     /// normal.
     double deviation = 0.0;
-    /// Mean fourth power over the square of the mean second: 3 for Gaussian noise, 1.8 for heights
-    /// that are equally likely in a range, 1 for two thin layers of as many points each. About a
-    /// fit to 35 points, 2.75, 2.4 and 1.5.
-    double kurtosis = 3.0;
+    /// Of the heights over a surface that is fitted again to both heaps, one moved onto the other:
+    /// a fit to two layers bends between them.
+    TwoHeaps heaps{};
 };
 
 /// Fits height = a + b x + c y + d x^2 + e x y + f y^2 over the plane of the first point and the
-/// others, by least squares. Nothing with fewer than nine points, or where they do not determine
-/// the fit, as in a line.
-std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch);
+/// others, by least squares; the heaps only if `layers`. Nothing with fewer than nine points, or
+/// where they do not determine the fit, as in a line.
+std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch,
+                                     bool layers = false);
 
 }  // namespace se

@@ -158,6 +158,19 @@ TEST_CASE("doctor: two layers are dropped down to one surface, and a sound mesh 
     CHECK(faultsOf(single) <= 2);
 }
 
+TEST_CASE(
+    "doctor: noise that is equally likely in a range is no second layer, few points are one") {
+    Random random(6);
+    PointFile range = flatLattice(50, 0.4);
+    PointFile few = range;
+    for (Vec3& x : range.position) x.z = random.between(-0.4, 0.4);
+    CHECK(findingOf(examined(range), "two_layers") == nullptr);
+    CHECK(findingOf(examined(range), "noise") != nullptr);
+    for (Vec3& x : few.position)
+        x.z = (random.below(4) == 0 ? 0.7 : 0.0) + random.between(-0.1, 0.1);
+    CHECK(findingOf(examined(few), "two_layers") != nullptr);
+}
+
 TEST_CASE("doctor: thin parts with normals are no second layer") {
     // Two sides of a plate, half a spacing apart, that face away from each other.
     PointFile plate = flatLattice(40, 0.4, 1);

@@ -42,18 +42,26 @@ TEST_CASE("surface fit: points of a quadric have no heights over it, wherever it
     }
 }
 
-TEST_CASE("surface fit: the deviation is the noise, and layers lessen the kurtosis") {
+TEST_CASE("surface fit: the deviation is the noise, and layers are two heaps") {
     Random random(3);
     const auto noise = [&](Index) { return random.between(-0.1, 0.1); };
-    const auto noisy = fitQuadric(paraboloid(400, noise), allUpTo(400));
+    const auto noisy = fitQuadric(paraboloid(400, noise), allUpTo(400), true);
     REQUIRE(noisy.has_value());
     CHECK(noisy->deviation == doctest::Approx(0.1 / std::sqrt(3.0)).epsilon(0.1));
-    CHECK(noisy->kurtosis == doctest::Approx(1.8).epsilon(0.1));
+    CHECK(noisy->heaps.share == doctest::Approx(0.75).epsilon(0.02));
     const auto layer = [](Index i) { return i % 2 == 0 ? 0.05 : -0.05; };
-    const auto layers = fitQuadric(paraboloid(400, layer), allUpTo(400));
+    const auto layers = fitQuadric(paraboloid(400, layer), allUpTo(400), true);
     REQUIRE(layers.has_value());
     CHECK(layers->deviation == doctest::Approx(0.05).epsilon(0.1));
-    CHECK(layers->kurtosis == doctest::Approx(1.0).epsilon(0.1));
+    CHECK(layers->heaps.share == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(layers->heaps.apart == doctest::Approx(0.1).epsilon(0.01));
+    CHECK(layers->heaps.within < 0.01);
+    // One point in five on the other layer, with noise.
+    const auto few = [&](Index i) { return (i % 5 == 0 ? 0.5 : 0.0) + random.between(-0.1, 0.1); };
+    const auto uneven = fitQuadric(paraboloid(400, few), allUpTo(400), true);
+    REQUIRE(uneven.has_value());
+    CHECK(uneven->heaps.share > 0.9);
+    CHECK(uneven->heaps.apart == doctest::Approx(0.5).epsilon(0.05));
 }
 
 TEST_CASE("surface fit: too few points, and points in a line, have none") {
