@@ -5,11 +5,16 @@
 /// over the patch. Thresholds are measured: docs/doctor.md. O(points times patch).
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <utility>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/doctor/surface_fit.h"
+#include "spiraling_edge/prepare/normals.h"
 
 namespace se {
 namespace {
@@ -95,11 +100,53 @@ std::string surplusReason(const std::string& height) {
     return "the rest are " + shortNumber(kThicknessesApart) + " times " + height + " apart";
 }
 
+/// The points but for those that lie over or under points of a larger sheet. A sheet is linked by
+/// heights under half the distance of the layers; noise may link both, and then all points stay.
+std::vector<Index> ofLargerSheet(const ExaminedFile& examined, double apart,
+                                 std::vector<Index> points) {
+    constexpr std::size_t kLinks = 6;  // Farther ones are over it where the surface bends.
+    const std::span<const Vec3> position = examined.file.position;
+    std::vector<Vec3> normal(examined.size(), Vec3(0.0));
+    std::vector<Index> patch;
+    for (const Index p : points) {
+        widePatch(examined, p, patch);
+        normal[p] = planeNormalAt(position, p, std::span(patch).subspan(1));
+    }
+    const auto isOver = [&](Index p, Index q) {
+        return std::abs(glm::dot(position[q] - position[p], normal[p])) >=
+               0.5 * apart * examined.middleSpacing;
+    };
+    DisjointSets sheets(examined.size());
+    for (const Index p : points) {
+        const std::span<const Index> list = examined.nearest()[p];
+        for (const Index q : list.first(std::min(kLinks, list.size()))) {
+            if (!isOver(p, q) && !isOver(q, p)) sheets.unite(p, q);
+        }
+    }
+    std::vector<std::size_t> size(examined.size(), 0);
+    for (const Index p : points) ++size[sheets.find(p)];
+    const auto rankOf = [&](Index p) { return std::pair(size[sheets.find(p)], sheets.find(p)); };
+    std::erase_if(points, [&](Index p) {
+        widePatch(examined, p, patch);
+        return std::any_of(patch.begin(), patch.end(),
+                           [&](Index q) { return isOver(p, q) && rankOf(q) > rankOf(p); });
+    });
+    return points;
+}
+
 /// Of these points those to leave out, so that the rest are 4.5 times as far apart as the surface
-/// is thick: above that the rules find its triangles (docs/doctor.md).
+/// is thick: above that the rules find its triangles (docs/doctor.md). Of two layers with a gap
+/// between them the smaller one is left out.
 std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Index>& points,
                              double height) {
-    return thinnedOut(examined, points, kThicknessesApart * height * examined.middleSpacing);
+    const std::vector<Index> sheet =
+        examined.layers ? ofLargerSheet(examined, examined.layers->apart, points) : points;
+    std::vector<Index> surplus =
+        thinnedOut(examined, sheet, kThicknessesApart * height * examined.middleSpacing);
+    std::set_difference(points.begin(), points.end(), sheet.begin(), sheet.end(),
+                        std::back_inserter(surplus));
+    std::sort(surplus.begin(), surplus.end());
+    return surplus;
 }
 
 /// The points of a region in which these lie: all, if they are more than half; else they and their

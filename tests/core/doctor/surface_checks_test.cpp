@@ -1,4 +1,5 @@
 /// Noise, two layers and outliers, planted in all combinations on two shapes.
+#include <algorithm>
 #include <cmath>
 
 #include "doctor_support.h"
@@ -156,6 +157,22 @@ TEST_CASE("doctor: two layers are dropped down to one surface, and a sound mesh 
     };
     CHECK(faultsOf(layered) > 100);
     CHECK(faultsOf(single) <= 2);
+}
+
+TEST_CASE("doctor: of two layers with a gap between them one is dropped") {
+    for (const int shape : {0, 1}) {
+        for (const double apart : {0.4, 0.8}) {
+            const PointFile layered = planted({shape, apart, 0.0, 0.0});
+            const Diagnosis diagnosis = examined(layered);
+            const Finding* finding = findingOf(diagnosis, "two_layers");
+            REQUIRE(finding != nullptr);
+            std::size_t dropped[2] = {};
+            for (const Index p : finding->toDrop()) ++dropped[p < kPoints ? 0 : 1];
+            CAPTURE(apart);
+            CHECK(std::max(dropped[0], dropped[1]) > 0.995 * kPoints);
+            CHECK(std::min(dropped[0], dropped[1]) < kPoints);
+        }
+    }
 }
 
 TEST_CASE(
