@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>
@@ -183,7 +184,25 @@ void contradictions(const GivenNormals& given, Index p, std::vector<Index>& oppo
 struct Conflict {
     std::size_t pairs = 0;
     std::size_t flat = 0;
+    std::ptrdiff_t facing = 0;  ///< Pairs that face each other, less those that face away.
+
+    /// Neighbors in one flipped sheet lie over each other as often as under.
+    bool isOfTwoSheets() const {
+        constexpr double kNearlyAll = 0.8;
+        return static_cast<double>(std::abs(facing)) > kNearlyAll * static_cast<double>(pairs);
+    }
 };
+/// 1 if each of two points lies over the other's tangent plane, as in a slot; -1 if under, as the
+/// sides of a plate; 0 if neither is clear. Where a flipped sheet bends, one lies over and one
+/// under.
+int facingOf(const GivenNormals& given, Index p, Index q) {
+    constexpr double kClear = 0.1;
+    const Vec3 offset = given.position[q] - given.position[p];
+    const double height = glm::dot(offset, given.normal[p] - given.normal[q]);
+    const double least = kClear * glm::length(offset);
+    return height > least ? 1 : height < -least ? -1 : 0;
+}
+
 /// By the least points of the sheets.
 using Conflicts = std::map<std::pair<Index, Index>, Conflict>;
 
@@ -200,6 +219,7 @@ Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
             ++conflict.pairs;
             // Within 10 degrees: no bend, and no part that is thin.
             conflict.flat += areInPlane(given, p, q, 0.17, 0.95) ? 1U : 0U;
+            conflict.facing += facingOf(given, p, q);
         }
     }
     return conflicts;
@@ -211,6 +231,7 @@ Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
 /// contradicts in 12, beside the edge of a part in 5 of one plane. Noise and thin parts contradict
 /// in places. Long strips have short rims, hence the bound above.
 bool isEvidence(const Conflict& conflict, std::size_t patch) {
+    if (conflict.isOfTwoSheets()) return false;
     constexpr std::size_t kBesideEdge = 5;
     const double wanted = std::clamp(4.0 * std::sqrt(static_cast<double>(patch)), 8.0, 40.0);
     return static_cast<double>(conflict.pairs) >= wanted ||

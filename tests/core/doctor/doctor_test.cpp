@@ -241,6 +241,21 @@ TEST_CASE("doctor: flipped_normals finds patches, and what is right within them 
     checkAlone(file, "flipped_normals", ring, Severity::Warning);
 }
 
+TEST_CASE("doctor: the sides of a plate thinner than the spacing are none flipped") {
+    for (const double thick : {0.3, 0.4}) {
+        for (const bool isSlot : {false, true}) {
+            PointFile plate = flatLattice(30, 0.3, 1);
+            PointFile below = flatLattice(30, 0.3, 2);
+            for (std::size_t p = 0; p < below.position.size(); ++p) {
+                below.position[p].z += isSlot ? thick : -thick;
+                below.normal[p] = -below.normal[p];
+            }
+            append(plate, below);
+            CHECK(findingOf(examined(plate), "flipped_normals") == nullptr);
+        }
+    }
+}
+
 TEST_CASE("doctor: flipped_normals finds the part of an open sheet, up to its rim") {
     for (const int columns : {1, 4, 9}) {
         PointFile file = flatLattice(20, 0.2);
