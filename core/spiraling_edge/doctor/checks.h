@@ -94,6 +94,10 @@ struct ExaminedFile {
         assert(p < normal().size());
         return present()[p] && normal()[p] != Vec3(0.0);
     }
+    /// True if its normal is far off the plane of the points about it.
+    bool isOff(Index p) const {
+        return std::binary_search(intake.fit.off.begin(), intake.fit.off.end(), p);
+    }
     /// Its normal, turned to the side of the rest of its component if it is flipped.
     Vec3 side(Index p) const { return sides.flipped[p] ? -normal()[p] : normal()[p]; }
     double distance(Index p, Index q) const;

@@ -48,6 +48,7 @@ std::optional<Finding> findCloseSheets(const ExaminedFile& examined) {
     auto points = pointsWhere(examined.size(), [&](Index p) {
         if (!examined.hasSide(p) || examined.nearest()[p].empty()) return false;
         const Index q = examined.nearest()[p].front();
+        if (examined.isOff(p) || examined.isOff(q)) return false;
         // Across the edge of a box normals are perpendicular.
         constexpr double kAway = -0.5;
         return examined.hasSide(q) && glm::dot(examined.side(p), examined.side(q)) < kAway;

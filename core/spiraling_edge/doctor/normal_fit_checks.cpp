@@ -209,13 +209,26 @@ std::string asTilted(const NormalTrial& trial) {
 constexpr std::array kKinds{asUnsigned,     asOtherAxes, asOtherUnits, asOneDirection,
                             asLinesOfSight, asTilted,    asChance};
 
+/// The points off their planes with as many as six such points among their twelve nearest: single
+/// ones stand at creases, too.
+std::optional<Finding> findUnfitPatch(const ExaminedFile& examined) {
+    constexpr std::size_t kOfPatch = 6;
+    std::vector<Index> points = examined.intake.fit.off;
+    std::erase_if(points, [&](Index p) {
+        return countWhere(examined.nearest()[p], [&](Index q) { return examined.isOff(q); }) <
+               kOfPatch;
+    });
+    return findingAt(std::move(points), Severity::Warning,
+                     "side by side whose normals are over 30 degrees off the planes of the points");
+}
+
 }  // namespace
 
 std::optional<Finding> findUnfitNormals(const ExaminedFile& examined) {
     const NormalFit& fit = examined.intake.fit;
+    if (examined.normalsFit()) return findUnfitPatch(examined);
     // Where most are missing, all are derived.
-    if (examined.normalsFit() || fit.normals == 0 ||
-        lacksNormals(examined.file.normal, examined.present()))
+    if (fit.normals == 0 || lacksNormals(examined.file.normal, examined.present()))
         return std::nullopt;
     std::string text = "the normals do not fit the points: they are " +
                        shortNumber(angleOf(fit.medianCosine)) +

@@ -84,14 +84,16 @@ NormalFit fitOf(const GivenNormals& given, unsigned threads) {
                 [&](std::size_t p) { cosines[p] = cosineAt(given, static_cast<Index>(p)); });
     NormalFit fit;
     for (Index p = 0; p < given.size(); ++p) fit.normals += given.hasNormal(p) ? 1U : 0U;
+    for (Index p = 0; p < given.size(); ++p) {
+        if (cosines[p] < kFitLimits.nearCosine) fit.off.push_back(p);
+    }
     std::erase_if(cosines, [](double cosine) { return cosine > 1.5; });
     fit.places = cosines.size();
     if (cosines.empty()) return fit;
     fit.medianCosine = std::min(medianOf(cosines), 1.0);
     fit.leastTenth = std::min(quantileOf(cosines, 0.1), 1.0);
     fit.mostTenth = std::min(quantileOf(cosines, 0.9), 1.0);
-    fit.near = static_cast<std::size_t>(std::count_if(
-        cosines.begin(), cosines.end(), [](double c) { return c >= kFitLimits.nearCosine; }));
+    fit.near = fit.places - fit.off.size();
     return fit;
 }
 

@@ -58,9 +58,10 @@ struct NormalFit {
     std::size_t normals = 0;  ///< Points with a direction.
     std::size_t places = 0;   ///< Of these, at planar places.
     double medianCosine = 1.0;
-    double leastTenth = 1.0;  ///< Cosine that a tenth of the places stays below,
-    double mostTenth = 1.0;   ///< and that a tenth exceeds.
-    std::size_t near = 0;     ///< Places within 30 degrees of the plane.
+    double leastTenth = 1.0;   ///< Cosine that a tenth of the places stays below,
+    double mostTenth = 1.0;    ///< and that a tenth exceeds.
+    std::size_t near = 0;      ///< Places within 30 degrees of the plane,
+    std::vector<Index> off{};  ///< and the others, ascending.
 };
 /// Measures the normals. `threads` as in NeighborOptions; the result is the same for any.
 NormalFit fitOf(const GivenNormals& given, unsigned threads = 0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "doctor_support.h"
@@ -252,6 +253,32 @@ TEST_CASE("doctor: the sides of a plate thinner than the spacing are none flippe
             }
             append(plate, below);
             CHECK(findingOf(examined(plate), "flipped_normals") == nullptr);
+        }
+    }
+}
+
+TEST_CASE("doctor: unfit_normals finds a patch of normals by chance, or along the surface") {
+    Random random(8);
+    for (const double share : {0.02, 0.08}) {
+        for (const bool byChance : {true, false}) {
+            PointFile file = fibonacciSphere(3000);
+            std::vector<Index> patch;
+            for (Index p = 0; p < 3000; ++p) {
+                if (file.position[p].x < 1.0 - 2.0 * share) continue;
+                patch.push_back(p);
+                const Vec3 along = glm::cross(file.normal[p], Vec3(0.0, 0.6, 0.8));
+                file.normal[p] = byChance ? random.direction() : glm::normalize(along);
+            }
+            const Diagnosis diagnosis = examined(file);
+            CHECK(diagnosis.facts.normalsFit);
+            const Finding* finding = findingOf(diagnosis, "unfit_normals");
+            REQUIRE(finding != nullptr);
+            CHECK(2 * finding->points.size() > patch.size());
+            CHECK(std::includes(patch.begin(), patch.end(), finding->points.begin(),
+                                finding->points.end()));
+            // They are of one sheet, whatever they say.
+            const Finding* sheets = findingOf(diagnosis, "close_sheets");
+            CHECK((sheets == nullptr || 20 * sheets->points.size() < patch.size()));
         }
     }
 }
