@@ -283,11 +283,11 @@ class Preparation {
     /// remains, the points are no surface, or one that bends as much as it is noisy: all points
     /// stay.
     Result<NeighborLists> withoutNoise(Result<NeighborLists> all) {
-        const auto noiseOf = [&](const Result<NeighborLists>& lists) {
-            return noiseAlongNormals(set_.position, set_.normal, lists.value(),
+        const auto noiseOf = [&](const Result<NeighborLists>& lists, bool apart) {
+            return noiseAlongNormals(set_.position, set_.normal, lists.value(), apart,
                                      options_.neighbors.threads);
         };
-        report_.noise = noiseOf(all);
+        report_.noise = noiseOf(all, true);
         // With fewer points than a patch takes, heights are the shape, as of a tetrahedron.
         const auto points = std::count(usable_.begin(), usable_.end(), true);
         if (report_.noise <= kNoisy || points <= static_cast<std::ptrdiff_t>(kNoisePatch))
@@ -298,7 +298,8 @@ class Preparation {
         Result<NeighborLists> lists = findNeighbors(set_.position, set_.normal, usable_,
                                                     options_.neighbors, upTo(listsShare()));
         if (!lists) return lists;
-        if (noiseOf(lists) > kNoisy) {
+        // Of what is left one sheet is expected: front and back of a few points are none.
+        if (noiseOf(lists, false) > kNoisy) {
             usable_ = usable;
             set_.normal = normal;
             return all;

@@ -242,10 +242,10 @@ TEST_CASE("noise: its amount and middle are the same for any number of threads")
     const NeighborLists lists = nearestLists(file.position);
     std::vector<bool> usable(file.position.size(), true);
     usable[5] = false;
-    const double noise = noiseAlongNormals(file.position, file.normal, lists, 1);
+    const double noise = noiseAlongNormals(file.position, file.normal, lists, true, 1);
     const auto one = noisePatches(file.position, file.normal, lists, usable, 1);
     for (const unsigned threads : {0U, 2U, 3U}) {
-        CHECK(noiseAlongNormals(file.position, file.normal, lists, threads) == noise);
+        CHECK(noiseAlongNormals(file.position, file.normal, lists, true, threads) == noise);
         const auto patches = noisePatches(file.position, file.normal, lists, usable, threads);
         bool same = patches.size() == one.size();
         for (std::size_t p = 0; p < one.size(); ++p) {
@@ -274,4 +274,12 @@ TEST_CASE("noise: two clean sheets that face the same way are two surfaces, and 
         for (Vec3& x : file.position) x.z += random.between(-apart, apart);
         CHECK(preparedBy("robust", file).report.noise > kNoisy);
     }
+}
+
+TEST_CASE("noise: heights over wrong normals are none that leaves a surface, and no point goes") {
+    const auto file = sharedPoints("cases/normals_are_ray_directions.ply");
+    if (!file) return;
+    const Prepared prepared = preparedBy("robust", *file);
+    CHECK(prepared.report.noise > kNoisy);
+    CHECK(prepared.report.count(Aside::Noise) == 0);
 }
