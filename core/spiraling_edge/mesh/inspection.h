@@ -78,8 +78,8 @@ struct MeshInspection {
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     /// Per point: a corner of a triangle with a fault, listed or not.
     std::vector<bool> atFault;
-    std::uint64_t work = 0;          ///< FaultSearch::work.
-    double meanEdge = 0.0;  ///< Mean length of the edges, scene units; 0 without triangles.
+    std::uint64_t work = 0;  ///< FaultSearch::work.
+    double meanEdge = 0.0;   ///< Mean length of the edges, scene units; 0 without triangles.
     std::size_t twins =
         0;  ///< Points in no triangle that are not lost: beside a twin, or along a line.
     MeshReport report;

@@ -18,8 +18,8 @@ inline constexpr std::uint64_t kWorkOfFixes = 250'000;
 /// repairs or drops points writes a new file, so each of the two meshes is judged by the points of
 /// its own file. The runs are by `paper`, as the command `run` makes them, and by `robust`; the
 /// command with --best is tryChanges(). A fix helps if by one of these sets the mesh is sounder
-/// (isSounder()), and by none less so, or if one mesh is sound and none was before. Fails if cancelled.
-/// Deterministic.
+/// (isSounder()), and by none less so, or if one mesh is sound and none was before. Fails if
+/// cancelled. Deterministic.
 Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress = {},
                 std::uint64_t work = kWorkOfFixes);
 
