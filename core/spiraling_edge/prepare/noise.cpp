@@ -53,17 +53,18 @@ NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
     return patch;
 }
 
-/// Root mean square of the heights of a list over the tangent plane of p, in spacings; where these
-/// are of two sheets and these are `apart`, of those on the sheet of p.
+/// Root mean square of the heights of a list over the tangent plane of p, in spacings; of sheets
+/// that are apart, of those on the sheet of p.
 double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
-                        std::span<const Index> list, Index p, bool apart) {
+                        std::span<const Index> list, Index p, Sheets sheets) {
     std::array<double, kNearest + 1> heights{};  // The last one is that of p.
     for (std::size_t i = 0; i < list.size(); ++i)
         heights[i] = glm::dot(position[list[i]] - position[p], normal);
     std::span<double> own(heights.data(), list.size() + 1);
     const double spacing = glm::distance(position[sixthOf(list)], position[p]);
     const TwoHeaps heaps = twoHeapsOf(own);
-    if (apart && heaps.share >= kSheetsShare && heaps.apart >= kSheetsApart * spacing) {
+    if (sheets == Sheets::Apart && heaps.share >= kSheetsShare &&
+        heaps.apart >= kSheetsApart * spacing) {
         const bool onLower = heaps.cut > 0.0;
         const std::size_t count = onLower ? heaps.lower : own.size() - heaps.lower;
         if (count >= kOfSheet) own = onLower ? own.first(count) : own.last(count);
@@ -76,13 +77,13 @@ double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
 }  // namespace
 
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
-                         const NeighborLists& neighbors, bool apart, unsigned threads) {
+                         const NeighborLists& neighbors, Sheets sheets, unsigned threads) {
     constexpr double kNoList = -1.0;
     std::vector<double> ratios(position.size(), kNoList);
     forEachItem(position.size(), threads, kPatchesPerThread, [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
         const auto list = neighbors[p].first(std::min(kNearest, neighbors[p].size()));
-        if (!list.empty()) ratios[i] = heightInSpacings(position, normal[p], list, p, apart);
+        if (!list.empty()) ratios[i] = heightInSpacings(position, normal[p], list, p, sheets);
     });
     std::erase(ratios, kNoList);
     return ratios.empty() ? 0.0 : medianOf(ratios);

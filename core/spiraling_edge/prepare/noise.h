@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,15 +11,20 @@
 
 namespace se {
 
+/// The surfaces that the points near each other may lie on.
+enum class Sheets : std::uint8_t {
+    One,    ///< One surface: all heights are its noise.
+    Apart,  ///< Also two sheets (TwoHeaps), a spacing apart or more: the other one is no noise.
+};
+
 /// Height of neighbors above or below a point's tangent plane, in units of its spacing (the
 /// distance to its sixth neighbor, or its last): the root mean square over the first twelve of its
-/// list, and the median of those over all points with a list. If `apart`, two sheets (TwoHeaps) a
-/// spacing apart or more are two surfaces: those on the sheet of the point count. Smooth surfaces
+/// list, and the median of those over all points with a list. Smooth surfaces
 /// have less than 0.35 even where they bend between one point and the next; at 0.45 triangles slope
 /// by 30 degrees and more, and no order of the points determines where the surface runs. 0 if no
 /// point has a list. `threads` as in NeighborOptions; the result is the same for any.
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
-                         const NeighborLists& neighbors, bool apart = true, unsigned threads = 0);
+                         const NeighborLists& neighbors, Sheets sheets, unsigned threads = 0);
 
 /// Noise above which points count as noisy.
 inline constexpr double kNoisy = 0.45;

@@ -283,11 +283,11 @@ class Preparation {
     /// remains, the points are no surface, or one that bends as much as it is noisy: all points
     /// stay.
     Result<NeighborLists> withoutNoise(Result<NeighborLists> all) {
-        const auto noiseOf = [&](const Result<NeighborLists>& lists, bool apart) {
-            return noiseAlongNormals(set_.position, set_.normal, lists.value(), apart,
+        const auto noiseOf = [&](const Result<NeighborLists>& lists, Sheets sheets) {
+            return noiseAlongNormals(set_.position, set_.normal, lists.value(), sheets,
                                      options_.neighbors.threads);
         };
-        report_.noise = noiseOf(all, true);
+        report_.noise = noiseOf(all, Sheets::Apart);
         // With fewer points than a patch takes, heights are the shape, as of a tetrahedron.
         const auto points = std::count(usable_.begin(), usable_.end(), true);
         if (report_.noise <= kNoisy || points <= static_cast<std::ptrdiff_t>(kNoisePatch))
@@ -299,7 +299,7 @@ class Preparation {
                                                     options_.neighbors, upTo(listsShare()));
         if (!lists) return lists;
         // Of what is left one sheet is expected: front and back of a few points are none.
-        if (noiseOf(lists, false) > kNoisy) {
+        if (noiseOf(lists, Sheets::One) > kNoisy) {
             usable_ = usable;
             set_.normal = normal;
             return all;

@@ -242,10 +242,11 @@ TEST_CASE("noise: its amount and middle are the same for any number of threads")
     const NeighborLists lists = nearestLists(file.position);
     std::vector<bool> usable(file.position.size(), true);
     usable[5] = false;
-    const double noise = noiseAlongNormals(file.position, file.normal, lists, true, 1);
+    const double noise = noiseAlongNormals(file.position, file.normal, lists, Sheets::Apart, 1);
     const auto one = noisePatches(file.position, file.normal, lists, usable, 1);
     for (const unsigned threads : {0U, 2U, 3U}) {
-        CHECK(noiseAlongNormals(file.position, file.normal, lists, true, threads) == noise);
+        CHECK(noiseAlongNormals(file.position, file.normal, lists, Sheets::Apart, threads) ==
+              noise);
         const auto patches = noisePatches(file.position, file.normal, lists, usable, threads);
         bool same = patches.size() == one.size();
         for (std::size_t p = 0; p < one.size(); ++p) {
