@@ -2,10 +2,10 @@
 // The command line links no window library, so that it runs on machines without one.
 #include <array>
 #include <filesystem>
-#include <fstream>
 
 #include "output/output.h"
 #include "spiraling_edge/base/operating_system.h"
+#include "spiraling_edge/spec/session_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -22,16 +22,6 @@ namespace fs = std::filesystem;
                   "spiraling-edge-viewer, build it with -DSPIRALING_EDGE_BUILD_VIEWER=ON, or use "
                   "spiraling-edge run",
                   viewer.string());
-}
-
-/// Decided by the extension, or by JSON content. A session has a position of its own to show.
-bool isSession(const std::string& input) {
-    if (input.ends_with(".sesession")) return true;
-    std::error_code ignored;
-    if (!fs::is_regular_file(input, ignored)) return false;
-    std::ifstream file(input, std::ios::binary);
-    char first = 0;
-    return (file >> first) && first == '{';
 }
 
 /// An option that is passed on as it stands; the viewer checks its value.
@@ -97,7 +87,8 @@ ExitCode renderVerb(CLI::App& app, const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     if (!picture.ends_with(".png") && !picture.ends_with(".PNG"))
         refuse("-o {}: pictures are written as .png only", picture);
-    if (place.empty() && !isSession(input)) place = "100%";
+    // A session has a position of its own to show.
+    if (place.empty() && !looksLikeSession(input)) place = "100%";
     Arguments arguments{input};
     if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});
     arguments.insert(arguments.end(), {"--screenshot", picture});

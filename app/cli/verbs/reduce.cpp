@@ -51,7 +51,7 @@ struct ReduceArguments {
         app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
     /// The file beside that of -o with another extension.
-    std::string beside(const char* extension) const {
+    std::string beside(std::string_view extension) const {
         return std::filesystem::path(output).replace_extension(extension).string();
     }
 };
@@ -117,7 +117,7 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
 void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
                   const PreparedInput& run, const Reduced& reduced) {
     const std::string& output = arguments.output;
-    const std::string session = arguments.beside(".sesession");
+    const std::string session = arguments.beside(kSessionExtension);
     const std::string test = arguments.beside(".sh");
     writeMeshOutput(output, reduced.file, {});
     const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
@@ -154,7 +154,7 @@ ExitCode reduceVerb(CLI::App& app, const Arguments& words) {
         refuse("-o {}: only .ply is written", arguments.output);
     arguments.force.require(arguments.input.files(),
                             {{"-o", arguments.output},
-                             {"-o (session)", arguments.beside(".sesession")},
+                             {"-o (session)", arguments.beside(kSessionExtension)},
                              {"-o (test)", arguments.beside(".sh")}});
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);

@@ -362,15 +362,6 @@ std::string movedSource(const std::string& source,
     return sampleSource(sample.value());
 }
 
-bool looksLikeSession(const fs::path& path) {
-    if (lowerExtension(path) == kSessionExtension) return true;
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) return false;
-    std::ifstream file(path, std::ios::binary);
-    char first = 0;
-    return (file >> first) && first == '{';
-}
-
 Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
                                     const fs::path& folder) {
     const Result<json> parsed = teach::jsonFromText<json>(text, name);

@@ -18,6 +18,7 @@
 #include "scene/camera.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/run/breakpoint.h"
+#include "spiraling_edge/spec/session_text.h"
 #include "spiraling_edge/stepper/event.h"
 #include "view_position.h"
 
@@ -61,8 +62,6 @@ struct Annotations {
 /// Differences in words: "bookmarks and watches". Empty if there are none.
 std::string differenceOf(const Annotations& a, const Annotations& b);
 
-inline constexpr std::string_view kSessionExtension = ".sesession";
-
 struct SessionFile {
     RunSpec input;          ///< With a path relative to the working directory.
     std::string inputHash;  ///< Hash of the input when it was saved; empty if unknown.
@@ -83,9 +82,6 @@ struct SessionFile {
 /// A source; its path, if it has one, is changed by `move`.
 std::string movedSource(const std::string& source,
                         const std::function<std::string(const std::string&)>& move);
-
-/// Decided by extension, otherwise by the first character: no point file begins with a brace.
-bool looksLikeSession(const std::filesystem::path& path);
 
 /// Parses a session in `folder`; errors call it `name`. Errors name what was expected; nothing is
 /// guessed.

@@ -1,11 +1,19 @@
-/// The text of a session file (docs/file-formats.md): the one writer of its options.
+/// A session file (docs/file-formats.md): how it is recognized, and the one writer of its options.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "spiraling_edge/spec/spec_fields.h"
 
 namespace se {
+
+/// Extension of a session file.
+inline constexpr std::string_view kSessionExtension = ".sesession";
+
+/// True if the path has that extension, or the file begins with a brace, as no point file does.
+bool looksLikeSession(const std::filesystem::path& path);
 
 /// The content of a session: points, run, and the place to open at.
 struct SessionStart {
