@@ -480,9 +480,10 @@ class BodyReader {
             return readRows(element, columns, kNoProperty, ignore);
         }
         if (element.name == "face" || element.name == "tristrips") {
+            const bool isPolygons = element.name == "face";
             noteOthers(element, nowhere, findIndexList(element));
             return readRows(element, nowhere, findIndexList(element), [&] {
-                if (element.name == "face") {
+                if (isPolygons) {
                     polygons_.append(list_, file_.faces);
                 } else {
                     appendStrips(list_, file_.faces);

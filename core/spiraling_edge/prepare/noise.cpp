@@ -23,8 +23,8 @@ constexpr double kReach = 6.0;
 /// Number of neighbors: farther ones lie higher wherever the surface bends.
 constexpr std::size_t kNearest = 12;
 /// Heights are of two sheets if their distance explains this share of the variance, and is at least
-/// this many spacings; a sheet has at least so many of the points. Of nearer sheets the lists
-/// of a point hold as many points of either.
+/// this many spacings; a sheet has at least kOfSheet of the points. Of nearer sheets the lists of a
+/// point hold as many points of either.
 constexpr double kSheetsShare = 0.85;
 constexpr double kSheetsApart = 1.0;
 constexpr std::size_t kOfSheet = 4;
@@ -62,9 +62,8 @@ double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
         heights[i] = glm::dot(position[list[i]] - position[p], normal);
     std::span<double> own(heights.data(), list.size() + 1);
     const double spacing = glm::distance(position[sixthOf(list)], position[p]);
-    const TwoHeaps heaps = twoHeapsOf(own);
-    if (sheets == Sheets::Apart && heaps.share >= kSheetsShare &&
-        heaps.apart >= kSheetsApart * spacing) {
+    const TwoHeaps heaps = sheets == Sheets::Apart ? twoHeapsOf(own) : TwoHeaps{};
+    if (heaps.share >= kSheetsShare && heaps.apart >= kSheetsApart * spacing) {
         const bool onLower = heaps.cut > 0.0;
         const std::size_t count = onLower ? heaps.lower : own.size() - heaps.lower;
         if (count >= kOfSheet) own = onLower ? own.first(count) : own.last(count);

@@ -19,10 +19,10 @@ enum class Sheets : std::uint8_t {
 
 /// Height of neighbors above or below a point's tangent plane, in units of its spacing (the
 /// distance to its sixth neighbor, or its last): the root mean square over the first twelve of its
-/// list, and the median of those over all points with a list. Smooth surfaces
-/// have less than 0.35 even where they bend between one point and the next; at 0.45 triangles slope
-/// by 30 degrees and more, and no order of the points determines where the surface runs. 0 if no
-/// point has a list. `threads` as in NeighborOptions; the result is the same for any.
+/// list, and the median of those over all points with a list. Smooth surfaces have less than 0.35
+/// even where they bend between one point and the next; at 0.45 triangles slope by 30 degrees and
+/// more, and no order of the points determines where the surface runs. 0 if no point has a list.
+/// `threads` as in NeighborOptions; the result is the same for any.
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
                          const NeighborLists& neighbors, Sheets sheets, unsigned threads = 0);
 
