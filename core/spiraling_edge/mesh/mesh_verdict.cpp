@@ -49,15 +49,17 @@ Loops loopsOf(const MeshJudge* judge, std::span<const MeshFailure> failures, std
 /// Marks all their points.
 std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLoop,
                            const std::vector<bool>& used, std::vector<bool>& amiss) {
-    const auto isClosed = [&](const std::vector<Index>& chain) {
+    std::size_t closed = 0;
+    for (const std::vector<Index>& chain : judge.openings) {
         std::ptrdiff_t inside = 0;
         for (const Index p : chain) {
             if (used[p]) inside += onLoop[p] ? -1 : 1;
         }
-        for (const Index p : chain) amiss[p] = amiss[p] || inside > 0;
-        return inside > 0;
-    };
-    return countWhere(judge.openings, isClosed);
+        if (inside <= 0) continue;
+        ++closed;
+        for (const Index p : chain) amiss[p] = true;
+    }
+    return closed;
 }
 
 /// Counts strays and noise in no triangle, the points that a mesh should have, and those of them
@@ -193,7 +195,8 @@ bool isSounder(const MeshVerdict& mesh, const MeshVerdict& other) {
 }
 
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other) {
-    if (isSounder(mesh, other) || isSounder(other, mesh)) return isSounder(mesh, other);
+    if (isSounder(mesh, other)) return true;
+    if (isSounder(other, mesh)) return false;
     return std::tuple(mesh.extraPieces(), mesh.fidelity.meanDistance) <
            std::tuple(other.extraPieces(), other.fidelity.meanDistance);
 }
