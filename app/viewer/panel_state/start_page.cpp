@@ -110,7 +110,7 @@ struct TileInput {
     PointFile file;
     GivenStart start = {};
     std::string_view at = {};  ///< The address at which the mesh is shown, or nothing.
-    /// What a scene of the gallery shows on its finished mesh, or kNoFailure; empty for others.
+    /// The failure of a scene of the gallery on its finished mesh, or kNoFailure; empty for others.
     std::string_view failure = {};
 };
 constexpr std::string_view kNoFailure = "none";

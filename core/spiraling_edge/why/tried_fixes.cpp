@@ -12,7 +12,7 @@
 namespace se {
 namespace {
 
-/// What isSounder() compares: "sound", "no triangle", "stopped", "4 points amiss".
+/// The values that isSounder() compares: "sound", "no triangle", "stopped", "4 points amiss".
 std::string endOf(const MeshVerdict& verdict) {
     if (verdict.triangles == 0) return "no triangle";
     if (verdict.stopped) return "stopped";

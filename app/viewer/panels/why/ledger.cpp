@@ -59,7 +59,7 @@ std::string answerAt(const std::optional<Address>& asked, const Ledger& ledger) 
     return ledger.answer;
 }
 
-/// What is inverted in the proof, with a button that runs again so. True if it does.
+/// The inverted decision of a proof, with a button that runs again so. True if it does.
 bool drawInversions(const PanelContext& context, const Ledger& ledger) {
     if (ledger.inversions.empty()) return false;
     RunSpec inverted = context.session().input().rules();

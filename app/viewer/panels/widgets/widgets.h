@@ -163,7 +163,7 @@ void takeKeyboardHere();
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
-/// What is wrong, in the color of errors; nothing if the text is empty.
+/// A complaint in the color of errors; nothing if the text is empty.
 void complain(const PanelContext& context, const std::string& complaint);
 /// wrappedText() in another font.
 void wrappedIn(ImFont* font, const std::string& text);
