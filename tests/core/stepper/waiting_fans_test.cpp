@@ -48,6 +48,17 @@ TEST_CASE("waiting fans: a refusal holds for the same rules, entry and run alone
     CHECK_FALSE(moved.refuses());
 }
 
+TEST_CASE(
+    "waiting fans: a refusal is still known after the rules were relaxed and are strict again") {
+    OneRefusal one;
+    one.waiting.refuse(4, 9, kCornerAllowed);
+    CHECK(one.refuses(kCornerAllowed));
+    CHECK(one.refuses(kDelayedAllowed));
+    one.waiting.change(3, 8);
+    CHECK(one.refuses(kCornerAllowed));
+    CHECK_FALSE(one.refuses(kDelayedAllowed));
+}
+
 TEST_CASE("waiting fans: every fan is refused that is when all are looked at again") {
     for (const char* id : {"noise", "sharp-crease", "torus"}) {
         const PointSet points = sceneNamed(id);
