@@ -96,6 +96,20 @@ TEST_CASE("Mesh tree: finds all triangles in conflict, each once, after any chan
     }
 }
 
+TEST_CASE("Mesh tree: it is worn once many triangles were added, but not by those that change") {
+    const PointSet points = crowd(300, 1.0, Vec3(0.0));
+    std::mt19937 random(7);
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 200; ++i) triangles.push_back(someTriangle(points, random));
+    MeshTree tree(points, triangles);
+    for (int i = 0; i < 5; ++i) {
+        for (Index t = 0; t < 200; ++t) tree.put(t, triangles[t]);
+    }
+    CHECK_FALSE(tree.isWorn());
+    for (Index t = 200; t < 400; ++t) tree.put(t, triangles[t - 200]);
+    CHECK(tree.isWorn());
+}
+
 TEST_CASE("Mesh tree: a mesh without triangles has none near") {
     const PointSet points = crowd(5, 1.0, Vec3(0.0));
     MeshTree tree(points, {});

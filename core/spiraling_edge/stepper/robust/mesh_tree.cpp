@@ -142,20 +142,35 @@ Index MeshTree::leafFor(const Bounds& box) const {
     return at;
 }
 
-/// Makes a full leaf the parent of two: one with its triangles, and an empty one, which is
-/// returned.
-Index MeshTree::split(Index leaf) {
-    const auto full = static_cast<Index>(nodes_.size());
+/// An empty leaf beside a full one; if its parent is full, too, both get a parent of their own.
+Index MeshTree::leafBeside(Index leaf) {
+    ++added_;
+    const auto next = static_cast<Index>(nodes_.size());
+    const Index above = nodes_[leaf].parent;
+    const Index place = above == kNone ? kWidth : freePlace(above / kWidth);
+    if (place != kWidth) {
+        nodes_.emplace_back();
+        set(above / kWidth, place, next, {});
+        return next;
+    }
+    const Index full = next;
     nodes_.push_back(nodes_[leaf]);
     nodes_.emplace_back();
     for (Index i = 0; i < kWidth; ++i) set(full, i, nodes_[full].child[i], nodes_[full].box(i));
     Node inner;
-    inner.parent = nodes_[leaf].parent;
+    inner.parent = above;
     inner.isLeaf = false;
     nodes_[leaf] = inner;
     set(leaf, 0, full, nodes_[full].all());
     set(leaf, 1, full + 1, {});
     return full + 1;
+}
+
+/// The first place of a node without a child; kWidth if there is none.
+Index MeshTree::freePlace(Index node) const {
+    const auto& children = nodes_[node].child;
+    return static_cast<Index>(std::find(children.begin(), children.end(), kNone) -
+                              children.begin());
 }
 
 void MeshTree::put(Index t, const Triangle& corners) {
@@ -166,12 +181,8 @@ void MeshTree::put(Index t, const Triangle& corners) {
     if (place == kNone || nodes_[place / kWidth].meeting(box) == 0) {
         remove(t);
         Index leaf = leafFor(box);
-        const auto& children = nodes_[leaf].child;
-        if (std::find(children.begin(), children.end(), kNone) == children.end())
-            leaf = split(leaf);
-        const auto& left = nodes_[leaf].child;
-        place = kWidth * leaf +
-                static_cast<Index>(std::find(left.begin(), left.end(), kNone) - left.begin());
+        if (freePlace(leaf) == kWidth) leaf = leafBeside(leaf);
+        place = kWidth * leaf + freePlace(leaf);
     }
     set(place / kWidth, place % kWidth, t, box);
     grow(place / kWidth, box);

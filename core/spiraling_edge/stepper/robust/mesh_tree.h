@@ -15,8 +15,8 @@ namespace se {
 
 /// A tree of boxes over triangles, in the order of a Gray-code curve at first. A triangle that is
 /// put later goes where the boxes grow the least (Guttman 1984, R-trees), unless it stays near; the
-/// boxes of nodes never shrink. Which triangles a search finds does not depend on earlier changes,
-/// the order in which it visits them does.
+/// boxes of nodes never shrink, until it isWorn(). Which triangles a search finds does not depend
+/// on earlier changes, the order in which it visits them does.
 class MeshTree {
   public:
     /// The points must outlive it.
@@ -27,6 +27,10 @@ class MeshTree {
     /// Triangle `t` is gone, if there was one.
     void remove(Index t);
 
+    /// True if so many leaves were added, without an order, that a new tree pays: on uneven points
+    /// a search in it visits a third of the nodes.
+    bool isWorn() const { return added_ > nodes_.size() / kMostAdded; }
+
     /// Calls visit(t) for each triangle whose conflictBox() meets `box`, until it returns true.
     /// True if it did.
     template <typename Visit>
@@ -36,6 +40,8 @@ class MeshTree {
 
   private:
     static constexpr Index kWidth = 4;
+    /// A tree is worn with one added leaf among this many nodes.
+    static constexpr std::size_t kMostAdded = 16;
 
     static constexpr float kFar = std::numeric_limits<float>::infinity();
 
@@ -81,13 +87,15 @@ class MeshTree {
     void set(Index node, Index place, Index child, const Bounds& box);
     void grow(Index node, const Bounds& box);
     Index leafFor(const Bounds& box) const;
-    Index split(Index leaf);
+    Index leafBeside(Index leaf);
+    Index freePlace(Index node) const;
 
     const PointSet& points_;
     Vec3 middle_{0.0};
     double scale_ = 1.0;
     std::vector<Node> nodes_;
     Index root_ = 0;
+    std::size_t added_ = 0;       ///< Leaves, since the tree was made.
     std::vector<Index> placeOf_;  ///< Per triangle: kWidth times its leaf, plus the position there.
 };
 

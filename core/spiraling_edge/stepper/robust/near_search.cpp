@@ -16,7 +16,7 @@ namespace {
 /// The tree over the present triangles.
 const MeshTree& treeOf(const PointSet& points, RepairState& m) {
     MeshIndex& near = m.near;
-    if (near.tree == nullptr || near.points != &points) {
+    if (near.tree == nullptr || near.points != &points || near.tree->isWorn()) {
         const std::vector<Triangle>& triangles = m.triangles;
         near.tree = std::make_shared<MeshTree>(points, triangles);
         near.points = &points;
