@@ -50,6 +50,14 @@ struct FlipsAhead {
     std::vector<std::uint8_t> changed;  ///< Per triangle: 1 if it changed since.
 };
 
+/// Corners about which RobustRules::remesh found nothing.
+struct FailedCorners {
+    const PointSet* points = nullptr;
+    /// Per point: RepairNumbers::remeshed at the last try, plus 1; 0 before the first one. Until
+    /// that number grows, another try finds nothing, either.
+    std::vector<std::uint32_t> at;
+};
+
 /// The numbers of a RepairState.
 struct RepairNumbers {
     std::size_t queueFront = 0;  ///< The next side to examine: a position in RepairState::queue.
@@ -93,6 +101,7 @@ struct RepairState : RepairNumbers {
     // Not in the journal, since they follow from the rest:
     MeshIndex near;
     FlipsAhead flipsAhead;
+    FailedCorners failedCorners;
 
     bool empty() const { return triangles.empty(); }
     /// Sets the corners of a triangle; at the end of the list, adds it.

@@ -171,6 +171,7 @@ RepairPlace RepairState::place() const {
 void RepairState::moveTo(const RepairPlace& place) {
     static_cast<RepairNumbers&>(*this) = place.numbers;
     flipsAhead = {};
+    failedCorners = {};
     auto changes = place.changes.begin();
     triangles.moveTo(*changes, [&](std::size_t t) {
         if (near.tree != nullptr) near.changed.push_back(static_cast<Index>(t));

@@ -45,8 +45,15 @@ bool remeshAroundCorner(const PointSet& points, RepairState& m, Index corner) {
 }
 
 bool remeshAroundCorners(const PointSet& points, RepairState& m, const Triangle& t) {
-    return remeshAroundCorner(points, m, t.a) || remeshAroundCorner(points, m, t.b) ||
-           remeshAroundCorner(points, m, t.c);
+    FailedCorners& failed = m.failedCorners;
+    if (failed.points != &points) failed = {&points, std::vector<std::uint32_t>(points.size())};
+    for (const Index corner : {t.a, t.b, t.c}) {
+        // Most triangles at a corner have a fault where one has.
+        if (failed.at[corner] == m.remeshed + 1) continue;
+        if (remeshAroundCorner(points, m, corner)) return true;
+        failed.at[corner] = m.remeshed + 1;
+    }
+    return false;
 }
 
 }  // namespace
@@ -63,6 +70,7 @@ std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& m)
         ++m.next;
         return RemeshEvidence{faulty};
     }
+    m.failedCorners = {};
     return std::nullopt;
 }
 
