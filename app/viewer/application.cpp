@@ -17,6 +17,7 @@
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
+#include "panels/pages/scene_tiles.h"
 #include "render/context.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
@@ -156,7 +157,7 @@ bool Application::animating() const {
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
            session_.questions().busy() || mesh_.busy() || framed_.has_value() ||
            ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||
-           (session_.startPage() && ui_.startPage.sampling.busy());
+           (session_.startPage() && context_.ui.states.of<StartPage>().sampling.busy());
 }
 
 std::string Application::title() const {

@@ -22,7 +22,6 @@
 #include "panel_state/picture_look.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/start_page.h"
 #include "panel_state/view_tools.h"
 #include "scene/motion.h"
 #include "session/selection_facts.h"
@@ -227,7 +226,6 @@ struct UiState {
     /// Annotations in no session file yet, see Document::unsaved().
     std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
-    StartPage& startPage = states.of<StartPage>();
     PictureLook picture;
     /// Of the view, and of the one beside it in Compare, as last drawn.
     std::array<std::vector<DrawnLabel>, 2> labels;

@@ -8,6 +8,7 @@
 #include "input/key_routing.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
+#include "scene_tiles.h"
 #include "session/session.h"
 #include "session/session_file.h"
 #include "spiraling_edge/base/number_text.h"

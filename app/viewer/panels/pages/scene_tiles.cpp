@@ -1,7 +1,7 @@
 // Small pictures of the built-in scenes, seen from beside and above, scaled to a square, and in the
 // order of depth, so that what is in front is drawn last: at most 1500 of their points, and the
 // mesh.
-#include "start_page.h"
+#include "scene_tiles.h"
 
 #include <algorithm>
 #include <cmath>

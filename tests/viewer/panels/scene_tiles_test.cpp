@@ -1,4 +1,4 @@
-#include "panel_state/start_page.h"
+#include "panels/pages/scene_tiles.h"
 
 #include <doctest/doctest.h>
 
