@@ -212,21 +212,16 @@ void TrialJob::stop() {
 }
 
 bool TrialJob::poll() {
-    if (!job_.busy()) return false;
-    const bool ended = job_.ended();
-    std::vector<Progressed> found = job_.take();
-    for (Progressed& each : found) {
+    auto taken = job_.take();
+    for (Progressed& each : taken.items) {
         if (each.complaint.empty())
             now_ = std::move(each);
         else
             now_.complaint = std::move(each.complaint);
     }
-    if (ended) {
-        if (!job_.complaint().empty()) now_.complaint = job_.complaint();
-        now_.next.clear();
-        job_.close();
-    }
-    return ended || !found.empty();
+    if (!taken.complaint.empty()) now_.complaint = std::move(taken.complaint);
+    if (taken.ended) now_.next.clear();
+    return taken.any();
 }
 
 }  // namespace se::view

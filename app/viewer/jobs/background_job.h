@@ -113,16 +113,29 @@ class BackgroundJob {
     bool busy() const { return job_ != nullptr; }
     /// In [0, 1], while busy.
     double share() const { return job_ ? job_->share.load() : 0.0; }
-    /// Results since the last call, in order.
-    std::vector<Item> take() {
-        const std::lock_guard lock(job_->mutex);
-        return std::exchange(job_->pending, {});
-    }
-    /// The job is complete; to be checked before take(), then close().
+    /// The job is complete, and waits for take().
     bool ended() const { return job_ && job_->thread->ended(); }
-    /// Once ended(): the text of the exception that ended the work; empty if there was none.
-    const std::string& complaint() const { return job_->complaint; }
-    void close() { job_.reset(); }
+    /// The results since the last call of take().
+    struct Taken {
+        std::vector<Item> items;  ///< In order.
+        bool ended = false;       ///< No more will come.
+        std::string complaint;    ///< Text of the exception that ended it; empty: none has.
+
+        bool any() const { return ended || !items.empty(); }
+    };
+    /// Takes the results, and closes the job if it is complete.
+    Taken take() {
+        if (!job_) return {};
+        // Asked first: results may come until then.
+        const bool ended = this->ended();
+        Taken taken{{}, ended, ended ? job_->complaint : std::string{}};
+        {
+            const std::lock_guard lock(job_->mutex);
+            taken.items.swap(job_->pending);
+        }
+        if (ended) job_.reset();
+        return taken;
+    }
     /// Blocks until the job is complete, at most for `timeout`. True if it is.
     bool waitFor(std::chrono::milliseconds timeout) {
         return !job_ || job_->thread->waitFor(timeout);
@@ -199,15 +212,15 @@ class BackgroundQuery {
     /// Takes the result. True if there was anything new.
     bool poll() {
         if (!job_.ended()) return false;
-        for (Result<Answer>& found : job_.take()) {
+        auto taken = job_.take();
+        for (Result<Answer>& found : taken.items) {
             if (found.ok()) {
                 answer_ = std::move(found.value());
             } else {
                 complaint_ = found.error().message;
             }
         }
-        if (!job_.complaint().empty()) complaint_ = job_.complaint();
-        job_.close();
+        if (!taken.complaint.empty()) complaint_ = std::move(taken.complaint);
         return true;
     }
     /// Blocks until there is a result to take, or there is no query.

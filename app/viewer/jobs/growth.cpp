@@ -141,16 +141,13 @@ void Growth::pause() {
 }
 
 bool Growth::poll() {
-    if (!job_.busy()) return false;
-    const bool ended = job_.ended();
-    auto pictures = job_.take();
-    for (Result<GrowthPicture>& each : pictures) {
+    auto taken = job_.take();
+    for (Result<GrowthPicture>& each : taken.items) {
         if (each) picture_ = std::move(each.value());
         if (!each) error_ = each.error().message;
     }
-    if (!ended) return !pictures.empty();
-    if (!job_.complaint().empty()) error_ = job_.complaint();
-    job_.close();
+    if (!taken.ended) return taken.any();
+    if (!taken.complaint.empty()) error_ = std::move(taken.complaint);
     if (!error_.empty()) picture_.reset();
     if (!picture_) return true;
     // What was asked for at its end.

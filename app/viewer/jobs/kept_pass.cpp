@@ -99,8 +99,7 @@ PivotVisitor HitSearch::visitorFor(const Model& model, const std::vector<Line>& 
     return hitVisitor(model.points, model.params, std::move(queries), found);
 }
 
-bool HitSearch::take(bool complete) {
-    std::vector<FoundHit> found = job_.take();
+bool HitSearch::add(std::vector<FoundHit>& found, bool complete) {
     for (FoundHit& each : found) {
         LineHits& line = known_[sought_[each.line].text];
         line.list.add(each.hit);
@@ -158,8 +157,7 @@ void WatchScan::startNext() {
     });
 }
 
-bool WatchScan::take(bool complete) {
-    const std::vector<WatchValues> found = job_.take();
+bool WatchScan::add(std::vector<WatchValues>& found, bool complete) {
     for (std::size_t i = 0; i < sought_.size(); ++i) {
         WatchSeries& series = known_[sought_[i]];
         for (const WatchValues& each : found) {

@@ -44,18 +44,16 @@ class KeptPass {
     /// Takes the results. True if there was anything new.
     bool poll() {
         if (!busy()) return false;
-        const bool ended = job_.ended();
-        const std::string failure = ended ? job_.complaint() : "";
-        const bool news = take(ended && failure.empty());
-        if (!ended) return news;
-        if (failure.empty()) {
-            job_.close();
-            startNext();
-        } else {
-            complaint_ = failure;
+        auto taken = job_.take();
+        const bool failed = !taken.complaint.empty();
+        const bool news = add(taken.items, taken.ended && !failed);
+        if (failed) {
+            complaint_ = std::move(taken.complaint);
             giveUp();
+        } else if (taken.ended) {
+            startNext();
         }
-        return true;
+        return taken.ended || news;
     }
     /// Blocks until all that is wanted is known.
     void waitUntilDone() {
@@ -91,8 +89,8 @@ class KeptPass {
   protected:
     /// Begins a pass for what is missing, if anything is.
     virtual void startNext() = 0;
-    /// Takes what the pass has found so far; `complete`: all of it. True if there was anything.
-    virtual bool take(bool complete) = 0;
+    /// Adds what the pass has found since; `complete`: it is all of it. True if that is news.
+    virtual bool add(std::vector<Found>& found, bool complete) = 0;
     /// The pass will not end: drops what is of no use without the rest.
     virtual void dropPart() {}
 
@@ -161,7 +159,7 @@ class HitSearch : public KeptPass<Breakpoint, LineHits, FoundHit> {
                                    BackgroundJob<FoundHit>::Results& results);
     std::vector<Line> missing() const;
     void startNext() override;
-    bool take(bool complete) override;
+    bool add(std::vector<FoundHit>& found, bool complete) override;
     void dropPart() override;
 
     std::vector<Line> sought_;  ///< Current search.
@@ -186,7 +184,7 @@ struct WatchValues {
 class WatchScan : public KeptPass<std::string, WatchSeries, WatchValues> {
   private:
     void startNext() override;
-    bool take(bool complete) override;
+    bool add(std::vector<WatchValues>& found, bool complete) override;
 
     std::vector<std::string> sought_;  ///< Current scan.
 };

@@ -109,9 +109,7 @@ void PointDrag::showAtSameStep() {
 }
 
 bool PointDrag::take() {
-    if (!job_.busy()) return false;
-    const bool ended = job_.ended();
-    std::vector<Made> fresh = job_.take();
+    std::vector<Made> fresh = job_.take().items;
     for (Made& each : fresh) {
         pivot_ = each.pivot;
         if (each.complete && !waits_) turn_ = each.turn;
@@ -120,7 +118,6 @@ bool PointDrag::take() {
         session_.record_ = std::move(each.record);
         showAtSameStep();
     }
-    if (ended) job_.close();
     return !fresh.empty();
 }
 

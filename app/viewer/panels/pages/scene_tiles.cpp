@@ -256,14 +256,11 @@ void StartPage::prepare() {
 }
 
 void StartPage::poll() {
-    if (!sampling.busy()) return;
-    const bool ended = sampling.ended();
-    for (SceneTile& each : sampling.take()) {
+    for (SceneTile& each : sampling.take().items) {
         const auto found = std::find_if(tiles.begin(), tiles.end(),
                                         [&](const SceneTile& tile) { return tile.id == each.id; });
         if (found != tiles.end()) *found = std::move(each);
     }
-    if (ended) sampling.close();
 }
 
 }  // namespace se::view
