@@ -13,6 +13,7 @@
 
 #include "panel_state/what_if_offers.h"
 #include "run/strings.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/sampling/gzip.h"
 #include "teach/trace/rule_guess.h"
 
@@ -65,21 +66,6 @@ std::string fanText(const std::vector<Index>& points) {
     std::string text;
     for (const Index each : points) text += " " + std::to_string(each);
     return text;
-}
-
-/// The event of B that matches A's event at `cursor`, in the same pivot: that of the same
-/// address, otherwise the last one of no later stage. Requires that B has events.
-std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
-    assert(!b.empty());
-    const std::size_t last = b.size() - 1;
-    if (cursor >= a.size() || cursor + 1 == a.size()) return last;
-    const Address& here = a[cursor].address;
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-        if (b[i].address == here) return i;
-        if (b[i].address.stage <= here.stage) found = i;
-    }
-    return found;
 }
 
 }  // namespace
@@ -517,7 +503,9 @@ void Comparison::follow(const Session& run) {
     if (wanted) {
         cursor = other.record().find(*wanted).value_or(cursor);
     } else if (inStep(alignment, here.pivot) && other.record().pivot == here.pivot) {
-        cursor = matchingEvent(run.record().events, run.cursor(), events);
+        // Both ends correspond.
+        const bool last = run.event() == nullptr || run.cursor() + 1 == run.record().events.size();
+        if (!last) cursor = eventLike(events, run.address(), subjectOf(*run.event()));
     }
     if (cursor != other.cursor()) other.moves().goToEvent(cursor);
 }

@@ -95,75 +95,53 @@ class Search {
     /// False if it was stopped.
     bool run(SamePosition& place) {
         const std::uint32_t wanted = place.from.address.pivot;
-        if (!together(wanted) || !oldAlone(wanted)) return false;
-        place.part = part_;
-        place.pivot = shared_;
         place.kind = SamePosition::Kind::Earlier;
+        if (!goTogether(wanted, place)) return false;
+        while (old_.pivot() < wanted && old_.next()) {
+            if (!goesOn()) return false;
+        }
         place.point = old_.point();
         if (place.point == kNone || old_.pivot() != wanted) return true;
-        if (part_ == 0) {
-            place.kind = SamePosition::Kind::Same;
-            place.pivot = wanted;
-            return true;
-        }
-        return find(place);
+        if (place.part > 0) return find(place);
+        place.kind = SamePosition::Kind::Same;
+        return true;
     }
 
   private:
-    bool goOn() { return ++asked_ % kAskEvery != 0 || !keepGoing_ || keepGoing_(); }
+    bool goesOn() { return ++asked_ % kAskEvery != 0 || !keepGoing_ || keepGoing_(); }
 
     /// Both runs, up to the pivot or to the point where they diverge.
-    bool together(std::uint32_t wanted) {
-        while (part_ == 0 && old_.pivot() < wanted) {
-            if (!goOn()) return false;
+    bool goTogether(std::uint32_t wanted, SamePosition& place) {
+        while (place.part == 0 && old_.pivot() < wanted) {
+            if (!goesOn()) return false;
             const bool more = old_.next();
             const bool moreNew = new_.next();
             if (!more && !moreNew) return true;
-            if (more != moreNew || !old_.didAs(new_)) {
-                part_ = shared_ + 1;
+            if (more == moreNew && old_.didAs(new_)) {
+                place.pivot = old_.pivot();
             } else {
-                shared_ = old_.pivot();
+                place.part = place.pivot + 1;
             }
-            if (isIt(wanted)) found_ = new_.pivot();
         }
         return true;
     }
-    bool oldAlone(std::uint32_t wanted) {
-        while (old_.pivot() < wanted) {
-            if (!goOn()) return false;
-            if (!old_.next()) return true;
-        }
-        return true;
-    }
-    /// The runs diverge in the pivot that is searched for.
-    bool isIt(std::uint32_t wanted) const {
-        return old_.pivot() == wanted && new_.pivot() == wanted && isSame();
-    }
-    bool isSame() const {
-        return new_.point() == old_.point() && new_.component() == old_.component() &&
-               new_.times() <= old_.times();
-    }
-    /// The new run alone: the pivot with the same point, for the same number of times.
+    /// The new run alone: the pivot with the same point, for the same number of times; else the
+    /// last one for fewer times.
     bool find(SamePosition& place) {
-        bool more = found_ == 0;
-        while (more) {
-            if (!goOn()) return false;
-            if (isSame()) found_ = new_.pivot();
-            if (found_ != 0 && new_.times() == old_.times() && isSame()) break;
-            more = new_.next();
-        }
-        if (found_ == 0) return true;
-        place.kind = SamePosition::Kind::Same;
-        place.pivot = found_;
+        do {
+            if (!goesOn()) return false;
+            const bool same = new_.point() == old_.point() && new_.component() == old_.component();
+            if (!same || new_.times() > old_.times()) continue;
+            place.kind = SamePosition::Kind::Same;
+            place.pivot = new_.pivot();
+            if (new_.times() == old_.times()) return true;
+        } while (new_.next());
         return true;
     }
 
     Walk old_, new_;
     const std::function<bool()>& keepGoing_;
     std::uint32_t asked_ = 0;
-    std::uint32_t shared_ = 0;  ///< Number of pivots that were equal in both.
-    std::uint32_t part_ = 0;
-    std::uint32_t found_ = 0;
 };
 
 }  // namespace
@@ -183,16 +161,13 @@ std::optional<SamePosition> findSamePosition(const RunInput& before, const Curso
     return place;
 }
 
-std::size_t sameStep(const PivotRecord& record, const SamePosition& place) {
-    const std::vector<Event>& events = record.events;
+std::size_t eventLike(std::span<const Event> events, const Address& wanted, Index subject) {
     if (events.empty()) return 0;
-    if (place.kind != SamePosition::Kind::Same) return events.size() - 1;
-    const Address& wanted = place.from.address;
     std::size_t best = events.size() - 1;
     int bestRank = -1;
     for (std::size_t i = 0; i < events.size(); ++i) {
         const Address& at = events[i].address;
-        const bool about = subjectOf(events[i]) == place.from.subject;
+        const bool about = subjectOf(events[i]) == subject;
         int rank = -1;
         if (at.stage == wanted.stage) {
             rank = at.n == wanted.n ? (about ? 4 : 2) : about ? 3 : 1;
@@ -206,6 +181,12 @@ std::size_t sameStep(const PivotRecord& record, const SamePosition& place) {
         }
     }
     return best;
+}
+
+std::size_t sameStep(const PivotRecord& record, const SamePosition& place) {
+    if (place.kind == SamePosition::Kind::Same)
+        return eventLike(record.events, place.from.address, place.from.subject);
+    return record.events.empty() ? 0 : record.events.size() - 1;
 }
 
 std::string describe(const SamePosition& place, const Address& landed) {
@@ -234,6 +215,18 @@ constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr std::chrono::milliseconds kAnswerTimeout{2};
 /// Limit of waiting moves, so that key repeat does not pile them up.
 constexpr std::size_t kMaxMoves = 64;
+
+std::size_t lastEvent(const PivotRecord& record) {
+    return record.events.empty() ? 0 : record.events.size() - 1;
+}
+
+/// The first event about a point, from a position in the list on; its size without one.
+std::size_t eventAbout(Index point, const std::vector<Event>& events, std::size_t from) {
+    const auto begin = events.begin() + static_cast<std::ptrdiff_t>(std::min(from, events.size()));
+    const auto found = std::find_if(
+        begin, events.end(), [point](const Event& event) { return subjectOf(event) == point; });
+    return static_cast<std::size_t>(found - events.begin());
+}
 
 /// Moves the nearest position of `from` out, and `here` onto `to`.
 std::optional<std::string> stepThrough(std::vector<std::string>& from, std::vector<std::string>& to,
@@ -271,9 +264,8 @@ void Moves::open(const std::optional<SamePosition>& place) {
     waiting_ = false;
     awaitedShare_.reset();
     awaitedStop_ = 0;
-    landing_ = place ? Landing::AtSamePosition : Landing::Last;
-    if (place) samePosition_ = *place;
-    target_ = {};
+    landing_ = lastEvent;
+    if (place) landing_ = [place](const PivotRecord& record) { return sameStep(record, *place); };
     takeAnswer();
 }
 
@@ -293,6 +285,7 @@ bool Moves::takeAnswer() {
     std::optional<RunnerAnswer> answer = session_.runner_->take();
     if (!answer) return false;
     session_.take(*answer);
+    found_ = answer->found;
     if (!answer->complaint.empty()) {
         waiting_ = false;
         moves_.clear();
@@ -300,11 +293,6 @@ bool Moves::takeAnswer() {
         session_.messages().say(answer->complaint);
     } else if (answer->final) {
         waiting_ = false;
-        if (landing_ == Landing::AtPoint && !answer->found) {
-            landing_ = Landing::AtAddress;
-            session_.messages().say("Nothing more happens to point " +
-                                    std::to_string(pointWanted_) + " after this position.");
-        }
         land();
     } else {
         session_.setCursorToLast();
@@ -312,45 +300,41 @@ bool Moves::takeAnswer() {
     return true;
 }
 
-void Moves::land() {
-    std::size_t cursor = record().events.empty() ? 0 : record().events.size() - 1;
-    if (landing_ == Landing::First) cursor = 0;
-    if (landing_ == Landing::AtSamePosition) cursor = sameStep(record(), samePosition_);
-    if (landing_ == Landing::AtPoint) {
-        const auto found =
-            std::find_if(record().events.begin(), record().events.end(),
-                         [this](const Event& event) { return subjectOf(event) == pointWanted_; });
-        if (found != record().events.end()) {
-            cursor = static_cast<std::size_t>(found - record().events.begin());
-        }
-    }
-    if (landing_ == Landing::AtAddress) cursor = findTarget();
-    if (landing_ == Landing::Last && target_.pivot > record().pivot && target_.pivot != kEnd) {
-        session_.messages().miss("There is no pivot " + std::to_string(target_.pivot) +
-                                 ": the run ends with pivot " + std::to_string(record().pivot) +
-                                 ".");
-    }
-    session_.setCursor(cursor);
-}
+void Moves::land() { session_.setCursor(landing_(record())); }
 
-/// The event at the target address; without one the last event before it.
-std::size_t Moves::findTarget() {
-    if (const auto found = record().find(target_)) return *found;
-    const std::vector<Event>& events = record().events;
-    const auto after = std::find_if(events.begin(), events.end(), [this](const Event& event) {
-        return isBefore(target_, event.address);
+/// The event at an address; without one the last event before it.
+std::size_t Moves::eventAt(const PivotRecord& record, const Address& target) {
+    if (const auto found = record.find(target)) return *found;
+    const std::vector<Event>& events = record.events;
+    const auto after = std::find_if(events.begin(), events.end(), [&target](const Event& event) {
+        return isBefore(target, event.address);
     });
     const auto before =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - events.begin() - 1));
     const std::string shown = events.empty() ? "the start" : toString(events[before].address);
-    session_.messages().miss("This run has no event " + toString(target_) + ". Shown: " + shown +
+    session_.messages().miss("This run has no event " + toString(target) + ". Shown: " + shown +
                              ".");
     return before;
 }
 
-void Moves::stepEvent(int delta) { push({Move::Kind::Events, delta, {}}); }
-void Moves::stepPivot(int delta) { push({Move::Kind::Pivots, delta, {}}); }
-void Moves::finishPivot() { push({Move::Kind::Finish, 0, {}}); }
+/// The last event of a pivot, or of the run if that is shorter.
+std::size_t Moves::lastOf(const PivotRecord& record, std::uint32_t pivot) {
+    if (pivot > record.pivot && pivot != kEnd) {
+        session_.messages().miss("There is no pivot " + std::to_string(pivot) +
+                                 ": the run ends with pivot " + std::to_string(record.pivot) + ".");
+    }
+    return lastEvent(record);
+}
+
+void Moves::stepEvent(int delta) {
+    push([this, delta] { moveEvents(delta); });
+}
+void Moves::stepPivot(int delta) {
+    push([this, delta] { movePivots(delta); });
+}
+void Moves::finishPivot() {
+    push([this] { moveToLastEvent(); });
+}
 void Moves::toEnd() { goToPivot(kEnd); }
 
 void Moves::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
@@ -380,7 +364,7 @@ void Moves::goTo(const Address& address) {
 
 void Moves::jump(const Address& address) {
     cancel();
-    push({Move::Kind::Go, 0, address});
+    push([this, address] { moveTo(address); });
 }
 
 std::string Moves::hereText() const {
@@ -403,7 +387,7 @@ void Moves::goToPoint(Index point) {
     if (!session_.ready() || stopsAtQuestion()) return;
     if (!busy()) history_.leave(hereText());
     cancel();
-    push({Move::Kind::Point, 0, {}, point});
+    push([this, point] { moveToPoint(point); });
 }
 
 void Moves::goToEvent(std::size_t index) {
@@ -430,60 +414,56 @@ void Moves::push(Move move) {
     session_.messages().clear();
     awaitedShare_.reset();
     awaitedStop_ = 0;
-    moves_.push_back(move);
+    moves_.push_back(std::move(move));
     processMoves();
 }
 
 void Moves::processMoves() {
     while (!waiting_ && !moves_.empty()) {
-        const Move move = moves_.front();
+        const Move move = std::move(moves_.front());
         moves_.pop_front();
-        perform(move);
+        move();
     }
 }
 
-void Moves::perform(Move move) {
-    switch (move.kind) {
-        case Move::Kind::Events:
-            return performEvents(move.delta);
-        case Move::Kind::Pivots:
-            return performPivots(move.delta);
-        case Move::Kind::Point:
-            return performPoint(move.point);
-        case Move::Kind::Finish:
-            if (session_.cursor() + 1 < record().events.size())
-                return session_.setCursor(record().events.size() - 1);
-            if (!session_.atLastPivot()) request(record().pivot + 1, Landing::Last);
-            return;
-        case Move::Kind::Go:
-            const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
-            return request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress,
-                           move.target);
-    }
+void Moves::moveToLastEvent() {
+    if (session_.cursor() + 1 < record().events.size())
+        return session_.setCursor(record().events.size() - 1);
+    if (!session_.atLastPivot()) request({record().pivot + 1, Stage{}, 0}, lastEvent);
 }
 
-void Moves::performPivots(int delta) {
+void Moves::moveTo(const Address& target) {
+    const bool whole = target.stage == Stage::Pivot && target.n == 0;
+    request(target, [this, target, whole](const PivotRecord& record) {
+        return whole ? lastOf(record, target.pivot) : eventAt(record, target);
+    });
+}
+
+void Moves::movePivots(int delta) {
     if (delta > 0 && session_.atLastPivot()) {
         if (!record().events.empty()) session_.setCursor(record().events.size() - 1);
         return;
     }
     const long to = static_cast<long>(record().pivot) + delta;
-    request(static_cast<std::uint32_t>(std::max(0L, to)), Landing::Last);
+    request({static_cast<std::uint32_t>(std::max(0L, to)), Stage{}, 0}, lastEvent);
 }
 
-void Moves::performEvents(int delta) {
+void Moves::moveEvents(int delta) {
     const auto count = static_cast<int>(record().events.size());
     const int here = count == 0 ? 0 : static_cast<int>(session_.cursor());
     const int to = here + delta;
+    const auto moveRest = [this](int rest) {
+        if (rest != 0) moves_.push_front([this, rest] { moveEvents(rest); });
+    };
     if (count > 0 && to >= 0 && to < count) {
         session_.setCursor(static_cast<std::size_t>(to));
     } else if (delta > 0 && !session_.atLastPivot()) {
-        const int rest = count == 0 ? delta - 1 : to - count;
-        if (rest > 0) moves_.push_front({Move::Kind::Events, rest, {}});
-        request(record().pivot + 1, Landing::First);
+        moveRest(count == 0 ? delta - 1 : to - count);
+        request({record().pivot + 1, Stage{}, 0},
+                [](const PivotRecord&) { return std::size_t{0}; });
     } else if (delta < 0 && record().pivot > 0) {
-        if (to + 1 < 0) moves_.push_front({Move::Kind::Events, to + 1, {}});
-        request(record().pivot - 1, Landing::Last);
+        moveRest(to + 1);
+        request({record().pivot - 1, Stage{}, 0}, lastEvent);
     }
 }
 
@@ -494,19 +474,14 @@ bool Moves::stopsAtQuestion() {
     return true;
 }
 
-void Moves::request(std::uint32_t pivot, Landing landing, const Address& target) {
-    const std::optional<Address>& horizon = session_.horizon();
-    const bool beyond = horizon && (pivot > horizon->pivot ||
-                                    (target.pivot == horizon->pivot && isBefore(*horizon, target)));
-    if (beyond && stopsAtQuestion()) return request(horizon->pivot, Landing::AtAddress, *horizon);
-    landing_ = landing;
-    target_ = target;
-    if (session_.ready() && record().pivot == pivot) {
-        land();
-        return;
-    }
-    session_.runner_->request(pivot);
-    await(pivot);
+/// Goes to the pivot of an address, at most to the open question.
+void Moves::request(const Address& target, Landing landing) {
+    const std::optional<Address> horizon = session_.horizon();
+    if (horizon && isBefore(*horizon, target) && stopsAtQuestion()) return moveTo(*horizon);
+    landing_ = std::move(landing);
+    if (session_.ready() && record().pivot == target.pivot) return land();
+    session_.runner_->request(target.pivot);
+    await(target.pivot);
 }
 
 /// Waits briefly for the runner's answer.
@@ -518,19 +493,16 @@ void Moves::await(std::uint32_t pivot) {
     takeAnswer();
 }
 
-void Moves::performPoint(Index point) {
-    const auto isAbout = [point](const Event& event) { return subjectOf(event) == point; };
+void Moves::moveToPoint(Index point) {
     const std::vector<Event>& events = record().events;
-    const auto from = events.begin() +
-                      static_cast<std::ptrdiff_t>(std::min(session_.cursor() + 1, events.size()));
-    const auto found = std::find_if(from, events.end(), isAbout);
-    if (found != events.end()) {
-        session_.setCursor(static_cast<std::size_t>(found - events.begin()));
-        return;
-    }
-    landing_ = Landing::AtPoint;
-    target_ = session_.address();
-    pointWanted_ = point;
+    const std::size_t next = eventAbout(point, events, session_.cursor() + 1);
+    if (next < events.size()) return session_.setCursor(next);
+    landing_ = [this, point, here = session_.address()](const PivotRecord& record) {
+        if (found_) return std::min(eventAbout(point, record.events, 0), lastEvent(record));
+        session_.messages().say("Nothing more happens to point " + std::to_string(point) +
+                                " after this position.");
+        return eventAt(record, here);
+    };
     session_.runner_->requestPoint(point, record().pivot);
     await(session_.overview().lastPivot);
 }

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,8 +66,11 @@ std::optional<SamePosition> findSamePosition(const RunInput& before, const Curso
                                              const RunInput& after,
                                              const std::function<bool()>& keepGoing = {});
 
-/// The matching event of a pivot in the new run: the same test of the same point; otherwise another
-/// test of that stage, or the end of the last stage before it.
+/// The event of a pivot that matches one of another run, with that address and subject: the same
+/// test of the same point; otherwise another test of that stage, or the end of the last stage
+/// before it. 0 without events.
+std::size_t eventLike(std::span<const Event> events, const Address& wanted, Index subject);
+/// The matching event of a pivot in the new run: that of eventLike(), or the last one.
 std::size_t sameStep(const PivotRecord& record, const SamePosition& place);
 
 /// The new cursor position and the reason for it: one sentence, shown as a notice.
@@ -157,26 +161,25 @@ class Moves {
     void wait();
 
   private:
-    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint, AtSamePosition };
-    struct Move {
-        enum class Kind : std::uint8_t { Events, Pivots, Finish, Go, Point } kind = Kind::Go;
-        int delta = 0;
-        Address target;
-        Index point = kNone;
-    };
+    /// A move that waits for those before it.
+    using Move = std::function<void()>;
+    /// The event of a pivot at which the cursor lands there.
+    using Landing = std::function<std::size_t(const PivotRecord& record)>;
 
     const PivotRecord& record() const;
     void push(Move move);
     void processMoves();
-    void perform(Move move);
-    void performPivots(int delta);
-    void performEvents(int delta);
-    void performPoint(Index point);
+    void moveEvents(int delta);
+    void movePivots(int delta);
+    void moveToLastEvent();
+    void moveTo(const Address& target);
+    void moveToPoint(Index point);
+    void request(const Address& target, Landing landing);
     void await(std::uint32_t pivot);
-    void request(std::uint32_t pivot, Landing landing, const Address& target = {});
     bool takeAnswer();
     void land();
-    std::size_t findTarget();
+    std::size_t eventAt(const PivotRecord& record, const Address& target);
+    std::size_t lastOf(const PivotRecord& record, std::uint32_t pivot);
     void jump(const Address& address);
     void jump(const std::optional<std::string>& place);
     std::string hereText() const;
@@ -191,10 +194,8 @@ class Moves {
     int awaitedStop_ = 0;  ///< 1: the next, -1: the previous one; 0: none.
     Clock::time_point waitingSince_;
     std::uint32_t requested_ = 0;
-    Landing landing_ = Landing::Last;
-    Address target_;
-    Index pointWanted_ = kNone;
-    SamePosition samePosition_;
+    Landing landing_;    ///< Of the move that waits for the runner thread.
+    bool found_ = true;  ///< The last answer has the point that was searched for.
 };
 
 }  // namespace se::view

@@ -99,13 +99,11 @@ void PointDrag::start() {
 
 /// The event of the present record that is about the same decision.
 void PointDrag::showAtSameStep() {
-    SamePosition same;
-    same.kind = SamePosition::Kind::Same;
-    same.pivot = open_->pivot;
     const bool any = openCursor_ < open_->events.size();
-    same.from = {any ? open_->events[openCursor_].address : Address{open_->pivot, Stage::Pivot, 0},
-                 any ? subjectOf(open_->events[openCursor_]) : kNone, false};
-    session_.setCursor(sameStep(*session_.record_, same));
+    const Address at =
+        any ? open_->events[openCursor_].address : Address{open_->pivot, Stage::Pivot, 0};
+    const Index subject = any ? subjectOf(open_->events[openCursor_]) : kNone;
+    session_.setCursor(eventLike(session_.record_->events, at, subject));
 }
 
 bool PointDrag::take() {
