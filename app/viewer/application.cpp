@@ -393,7 +393,6 @@ bool Application::draw(glm::ivec2 size, bool panelsChanged) {
 void Application::endFrame(glm::ivec2 size) {
     if (options_.narrate) narrate();
     ui_.typing.endFrame(ImGui::GetIO().WantTextInput);
-    ui_.typing.see(ui_.typedFields());
     history_.observe(ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput);
     ui_.betweenFrames.endDrawing();
     export_->advance();
@@ -543,7 +542,6 @@ bool Application::key(const KeyChord& chord, bool repeated) {
                             io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, context_);
-    ui_.typing.see(ui_.typedFields());
     // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;
 }

@@ -214,7 +214,7 @@ const auto kCommands = std::to_array<Command>({
     {"step.birth", "Step", "Where the selection was made", "",
      "Go to the pivot that made the selected edge or triangle.", goToCreation},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",
-     [](C& c) { c.ui.goTo.show(); }, "jump address find"},
+     openGoTo, "jump address find"},
 
     {"step.copy", "Step", "Copy link", "Ctrl+C",
      "Copy a link to what is shown: input, options, address and camera.", copyLink,
@@ -428,7 +428,7 @@ const auto kCommands = std::to_array<Command>({
      "lesson exercise task teach play quiz"},
     {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
      "Type words of an action, a panel or a scene, then press Enter.",
-     [](C& c) { c.ui.palette.show(); }},
+     openPalette},
     {"help.keys", "Help", "Keys and mouse", "F1 ?", "Show this list.",
      [](C& c) { togglePage(c, HelpPage::Keys); }, "shortcuts keyboard help"},
     {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.",

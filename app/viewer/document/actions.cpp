@@ -117,6 +117,7 @@ void resetRules(C& c) {
 void openBrowser(C& c, BrowserTask task) {
     c.ui.browser = task;
     c.ui.fileBrowser = true;
+    c.ui.typing.open(TypedField::Dialog);
 }
 
 void openFor(C& c, BrowserTask task, const std::string& source) {
@@ -129,6 +130,16 @@ void saveMesh(C& c) {
     pause(c);
     c.ui.mesh.open();
     openBrowser(c, BrowserTask::SaveMesh);
+}
+
+void openPalette(C& c) {
+    c.ui.palette.show();
+    c.ui.typing.open(TypedField::Dialog);
+}
+
+void openGoTo(C& c) {
+    c.ui.goTo = {true, {}};
+    c.ui.typing.open(TypedField::GoTo);
 }
 
 void copyCommand(C& c) { c.mesh.copyCommand({}); }
@@ -146,7 +157,7 @@ void openPrepare(C& c) {
     closeDialogs(c.ui);
     c.ui.prepare.take(c.session.input().spec(), c.session.model());
     c.ui.prepare.shown = c.session.generation();
-    c.ui.prepare.wantsKeyboard = true;
+    c.ui.typing.open(TypedField::Prepare);
     openPart(c, kPreparePart);
 }
 

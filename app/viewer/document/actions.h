@@ -83,6 +83,9 @@ void toggle(CommandContext& c, LayerId layer);
 void setLoop(CommandContext& c, const char* end, void (PlayLoop::*set)(const Address& address));
 /// Opens the file dialog.
 void openBrowser(CommandContext& c, BrowserTask task);
+void openPalette(CommandContext& c);
+/// Opens the box with the address.
+void openGoTo(CommandContext& c);
 
 /// Pauses, in the layout Compare.
 void enterCompare(CommandContext& c);

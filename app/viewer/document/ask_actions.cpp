@@ -126,7 +126,7 @@ void askWhySelected(CommandContext& c) {
         return c.session.messages().say(
             "Select a point, an edge or a triangle to ask both runs about.");
     showPart(c, kLedgerPart);
-    c.ui.ledger.wantsKeyboard = true;
+    c.ui.typing.open(TypedField::Ledger);
 }
 
 void toLedgerLine(CommandContext& c, int direction) {
@@ -150,7 +150,7 @@ void toCause(CommandContext& c) {
 void openQuery(CommandContext& c) {
     openPart(c, kQueryPart);
     c.ui.query.shown = QueryList::Found;
-    c.ui.query.wantsKeyboard = true;
+    c.ui.typing.open(TypedField::Query);
 }
 
 void toHit(CommandContext& c, int direction) {

@@ -114,10 +114,7 @@ class BetweenFrames {
 /// The box with the address, which is open while another one is typed there.
 struct GoToBox {
     bool open = false;
-    bool wantsKeyboard = false;
     std::string typed;
-
-    void show() { *this = {true, true, {}}; }
 };
 
 struct CommandPalette {
@@ -167,16 +164,6 @@ struct UiState {
 
     /// The part of the view in which the camera frames its subject.
     ViewPart viewPart() const { return {viewAspect, coveredBelow}; }
-
-    /// The text fields that are open or about to be, as bits of TypedField.
-    unsigned typedFields() const {
-        return (palette.open ? kPaletteField : kNoField) |
-               (fileBrowser && !mesh.waits() && !exported.working ? kBrowserField : kNoField) |
-               (goTo.wantsKeyboard ? kGoToField : kNoField) |
-               (query.wantsKeyboard ? kQueryField : kNoField) |
-               (ledger.wantsKeyboard ? kLedgerField : kNoField) |
-               (prepare.wantsKeyboard ? kPrepareField : kNoField);
-    }
 
     /// What panels remember. Those below are read by others as well.
     PanelStates states;

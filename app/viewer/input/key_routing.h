@@ -55,26 +55,26 @@ bool editsText(const KeyChord& chord);
 /// True if a key may run an action. Esc always may.
 bool reachesActions(const KeyChord& chord, const Keyboard& keyboard);
 
-/// Text fields that commands open.
-enum TypedField : unsigned {
-    kNoField = 0,
-    kPaletteField = 1,
-    kBrowserField = 2,
-    kQueryField = 4,
-    kLedgerField = 8,
-    kPrepareField = 16,
-    kGoToField = 32,
-};
+/// Text fields that actions open; those of dialogs take the keyboard focus by themselves.
+enum class TypedField : std::uint8_t { None, Dialog, Query, Ledger, Prepare, GoTo };
 
 /// Delay of keys until a text field opened by a command has the keyboard focus: Dear ImGui assigns
 /// it some frames later.
 class TypingWait {
   public:
-    /// The fields that are open or about to be, as bits of TypedField: to be called
-    /// after every command and every frame. A new one makes keys wait.
-    void see(unsigned fields) {
-        if ((fields & ~seen_) != 0) begin();
-        seen_ = fields;
+    /// A field is opened: it gets the keyboard focus, and keys wait for it.
+    void open(TypedField field) {
+        opened_ = field;
+        frames_ = kMaxFrames;
+        takes_ = false;
+    }
+    /// The field that was opened and has not been drawn since.
+    TypedField opened() const { return opened_; }
+    /// The field is drawn. True if it is to get the keyboard focus now.
+    bool takeFocus(TypedField field) {
+        if (opened_ != field) return false;
+        opened_ = TypedField::None;
+        return true;
     }
     /// The opened field is drawn and accepts input.
     void takesKeys() { takes_ = true; }
@@ -90,12 +90,7 @@ class TypingWait {
     /// example because nothing is open, must not block the keys.
     static constexpr int kMaxFrames = 10;
 
-    void begin() {
-        frames_ = kMaxFrames;
-        takes_ = false;
-    }
-
-    unsigned seen_ = kNoField;
+    TypedField opened_ = TypedField::None;
     int frames_ = 0;
     bool takes_ = false;
 };

@@ -57,8 +57,7 @@ struct PrepareForm {
     static constexpr std::uint32_t kNoGeneration = ~std::uint32_t{0};
     enum class Reach : std::uint8_t { File, Nearest, Radius, Spacings };
 
-    bool open = false;  ///< Being edited: it keeps what was typed.
-    bool wantsKeyboard = false;
+    bool open = false;                    ///< Being edited: it keeps what was typed.
     std::uint32_t shown = kNoGeneration;  ///< The opening of the input that it shows.
     Reach reach = Reach::File;
     std::string count = "12";
@@ -83,7 +82,7 @@ struct PrepareForm {
     void take(const RunSpec& opened, const Model& model);
     /// Drops what was typed.
     void close() {
-        open = wantsKeyboard = false;
+        open = false;
         shown = kNoGeneration;
     }
     /// `base` with these options, without the fixes that they contradict. Fails with a sentence

@@ -123,7 +123,6 @@ struct LedgerPanel {
     Selection seen;         ///< Selection when the panel was drawn last.
     std::optional<Address>
         asked;  ///< The decision at the cursor when the selection was asked about.
-    bool wantsKeyboard = false;
     LineList list;
 };
 
@@ -133,7 +132,6 @@ enum class QueryList : std::uint8_t { Found, Closest };
 struct QueryPanel {
     std::string typed;
     bool typing = false;  ///< The line requests the keyboard focus.
-    bool wantsKeyboard = false;
     QueryList shown = QueryList::Found;
     LineList found;
     LineList closest;

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "chord.h"
-#include "document/ui_state.h"
+#include "commands/commands.h"
+#include "document/document.h"
+#include "headless_app.h"
 
 using namespace se::view;
 using namespace se::view::test;
@@ -163,11 +165,13 @@ TEST_CASE("The character of a key belongs to its press, later text does not") {
 TEST_CASE("Keys wait from the command that opens a text field until the field takes them") {
     TypingWait wait;
     CHECK_FALSE(wait.waits());
-    wait.see(kQueryField);
+    wait.open(TypedField::Query);
     CHECK(wait.waits());
     // The panel has requested the keyboard, but does not have it.
+    CHECK_FALSE(wait.takeFocus(TypedField::Ledger));
+    CHECK(wait.takeFocus(TypedField::Query));
+    CHECK_FALSE(wait.takeFocus(TypedField::Query));
     wait.endFrame(false);
-    wait.see(kNoField);
     CHECK(wait.waits());
     // It is active, but plain keys still go to actions.
     wait.takesKeys();
@@ -180,14 +184,12 @@ TEST_CASE("Keys wait from the command that opens a text field until the field ta
 
 TEST_CASE("A text field that had the keyboard before does not end the wait for another one") {
     TypingWait wait;
-    wait.see(kPaletteField);
+    wait.open(TypedField::Dialog);
     wait.takesKeys();
     wait.endFrame(true);
     REQUIRE_FALSE(wait.waits());
-    wait.see(kPaletteField);
-    CHECK_FALSE(wait.waits());
     // The palette runs "Find decisions...": its own line is gone, the other one is about to appear.
-    wait.see(kQueryField);
+    wait.open(TypedField::Query);
     CHECK(wait.waits());
     wait.endFrame(true);
     CHECK(wait.waits());
@@ -195,7 +197,7 @@ TEST_CASE("A text field that had the keyboard before does not end the wait for a
 
 TEST_CASE("Keys do not wait forever for a text field that never appears") {
     TypingWait wait;
-    wait.see(kLedgerField);
+    wait.open(TypedField::Ledger);
     int frames = 0;
     for (; wait.waits() && frames < 100; ++frames) wait.endFrame(false);
     CHECK(frames > 4);
@@ -203,11 +205,14 @@ TEST_CASE("Keys do not wait forever for a text field that never appears") {
 }
 
 TEST_CASE("All text fields that commands open are waited for") {
-    UiState ui;
-    CHECK(ui.typedFields() == kNoField);
-    ui.palette.show();
-    ui.fileBrowser = true;
-    ui.query.wantsKeyboard = true;
-    ui.ledger.wantsKeyboard = true;
-    CHECK(ui.typedFields() == (kPaletteField | kBrowserField | kQueryField | kLedgerField));
+    for (const char* command : {"help.palette", "file.open", "file.saveas", "step.goto",
+                                "ask.query", "ask.why", "file.prepare"}) {
+        CAPTURE(command);
+        test::HeadlessApp app("typing-test");
+        app.document.open("scene:sphere");
+        app.waitUntilDone();
+        CHECK_FALSE(app.ui.typing.waits());
+        runCommand(*findCommand(command), app.context);
+        CHECK(app.ui.typing.waits());
+    }
 }

@@ -112,7 +112,7 @@ TEST_CASE("Without a selection W waits for input") {
     QuestionApp app;
     app.run("ask.why");
     CHECK(app.ui.column.part == kLedgerPart);
-    CHECK(app.ui.ledger.wantsKeyboard);
+    CHECK(app.ui.typing.opened() == TypedField::Ledger);
     CHECK_FALSE(app.session().questions().busy());
 }
 

@@ -75,16 +75,10 @@ void drawChoice(const PanelContext& context) {
 /// Synchronizes the typed text with the suggestions.
 void drawLine(const PanelContext& context) {
     QueryPanel& panel = context.state<QueryPanel>();
-    const float button = ImGui::CalcTextSize("Find").x + 1.5F * context.em;
-    if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
-    const bool entered = textField("##query", "stage=sphere kept margin<1e-4", panel.typed,
-                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    panel.typing = ImGui::IsItemActive();
-    if (panel.typing) context.state<TypingWait>().takesKeys();
-    nameItem(context, "query box");
-    ImGui::SameLine();
-    if (ImGui::Button("Find") || entered) findTyped(context.commands);
+    const AskedLine line = askingLine(context, TypedField::Query, "stage=sphere kept margin<1e-4",
+                                      panel.typed, "Find", "query box");
+    panel.typing = line.active;
+    if (line.asked) findTyped(context.commands);
 }
 
 /// Error of the line, as soon as there is one, except in the word that is being typed.
@@ -105,7 +99,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
     ImGui::TableNextColumn();
     if (ImGui::Selectable(form.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) {
         panel.typed = completed(panel.typed, term);
-        panel.wantsKeyboard = true;
+        context.state<TypingWait>().open(TypedField::Query);
     }
     if (ImGui::IsItemVisible()) nameItem(context, "term " + form);
     if (!wide) return tooltip(meaning);

@@ -28,7 +28,7 @@ void drawTyped(const PanelContext& context, GoToBox& box) {
     const bool entered =
         textField("##typed", "", box.typed,
                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsNoBlank);
-    if (std::exchange(box.wantsKeyboard, false)) {
+    if (context.state<TypingWait>().takeFocus(TypedField::GoTo)) {
         // What was typed at another time is not undone.
         ImGuiInputTextState* before = ImGui::GetInputTextState(ImGui::GetItemID());
         if (before != nullptr && !ImGui::IsItemActive()) before->ID = 0;
@@ -59,7 +59,8 @@ void drawGoTo(const PanelContext& context, float width) {
         drawTyped(context, box);
     } else {
         const std::string shown = fitted(addressText(context.session()), width - em);
-        if (ImGui::Button((shown + "##goto").c_str(), {width, 0.0F})) box.show();
+        if (ImGui::Button((shown + "##goto").c_str(), {width, 0.0F}))
+            actions::openGoTo(context.commands);
     }
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(2);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
@@ -41,7 +42,8 @@ void drawError(const PanelContext& context) {
         ImGui::PopStyleColor();
         wrappedText(session.input().error());
         ImGui::Spacing();
-        if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
+        if (ImGui::Button("Open another..."))
+            actions::openBrowser(context.commands, context.ui().browser);
         ImGui::SameLine();
         if (textButton(context, session.ready() ? "Continue" : "Start page", "go on"))
             session.dismissError();

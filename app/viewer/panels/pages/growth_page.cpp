@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "document/actions.h"
 #include "document/new_points.h"
 #include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
@@ -88,9 +89,8 @@ void drawVolume(const PanelContext& context) {
         name(context, "");
         ImGui::TextUnformatted(fittedName(file, ImGui::GetContentRegionAvail().x).c_str());
     }
-    if (!ImGui::Button("Choose...", {-1.0F, 0.0F})) return;
-    context.ui().browser = BrowserTask::Volume;
-    context.ui().fileBrowser = true;
+    if (ImGui::Button("Choose...", {-1.0F, 0.0F}))
+        actions::openBrowser(context.commands, BrowserTask::Volume);
 }
 
 /// One of the two ways to give the number of points, with its field; typing there chooses it.

@@ -20,15 +20,9 @@ namespace {
 /// Query by text, which also finds things that are not in the view or not in the mesh.
 void drawQuestionBox(const PanelContext& context) {
     LedgerPanel& panel = context.state<LedgerPanel>();
-    const float button = ImGui::CalcTextSize("Why?").x + 1.5F * context.em;
-    if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
-    const bool entered = textField("##subject", "812 or 812,640 or ring", panel.typed,
-                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
-    if (ImGui::IsItemVisible()) nameItem(context, "ledger box");
-    ImGui::SameLine();
-    if (ImGui::Button("Why?") || entered) askTyped(context.commands);
+    const AskedLine line = askingLine(context, TypedField::Ledger, "812 or 812,640 or ring",
+                                      panel.typed, "Why?", "ledger box");
+    if (line.asked) askTyped(context.commands);
     if (!panel.complaint.empty()) wrappedText(panel.complaint, context.palette.rejected);
 }
 

@@ -124,6 +124,21 @@ bool textField(const char* label, const char* hint, std::string& text, ImGuiInpu
                                     flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
 }
 
+AskedLine askingLine(const PanelContext& context, TypedField field, const char* hint,
+                     std::string& text, const char* button, const std::string& name) {
+    TypingWait& typing = context.state<TypingWait>();
+    if (typing.takeFocus(field)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - textWidth(button) -
+                            1.5F * context.em);
+    const bool entered = textField("##asking", hint, text, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool active = ImGui::IsItemActive();
+    if (active) typing.takesKeys();
+    if (ImGui::IsItemVisible()) nameItem(context, name);
+    ImGui::SameLine();
+    const bool clicked = ImGui::Button(button);
+    return {active, clicked || entered};
+}
+
 void fieldName(const PanelContext& context, const char* name, float x) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", name);
@@ -710,7 +725,7 @@ bool drawNeighbors(const Fields& fields) {
     choice(fields, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
            form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
     choice(fields, "K nearest", form.reach, Reach::Nearest, "The k nearest points (--neighbors)");
-    if (std::exchange(form.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
+    if (context.state<TypingWait>().takeFocus(TypedField::Prepare)) ImGui::SetKeyboardFocusHere();
     bool entered = valueField(fields, "##count", form.count, form.reach, Reach::Nearest);
     choice(fields, "Within a radius", form.reach, Reach::Radius, "In scene units (--radius)");
     entered = valueField(fields, "##radius", form.radius, form.reach, Reach::Radius) || entered;

@@ -21,6 +21,7 @@
 namespace se::view {
 
 enum class KeyStop : std::uint8_t;
+enum class TypedField : std::uint8_t;
 
 enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd, Bookmark };
 
@@ -67,6 +68,14 @@ inline constexpr ImGuiInputTextFlags kEntered =
 /// text changed, or with ImGuiInputTextFlags_EnterReturnsTrue on Enter.
 bool textField(const char* label, const char* hint, std::string& text,
                ImGuiInputTextFlags flags = 0);
+/// A line that actions open, with a button after it.
+struct AskedLine {
+    bool active = false;  ///< It has the keyboard focus.
+    bool asked = false;   ///< By Enter or a click.
+};
+/// Draws one, as the item `name`.
+AskedLine askingLine(const PanelContext& context, TypedField field, const char* hint,
+                     std::string& text, const char* button, const std::string& name);
 /// A dim name before the next item, which is at `x` em.
 void fieldName(const PanelContext& context, const char* name, float x);
 /// A text field of many lines without a limit of length. True if the text changed.
