@@ -263,7 +263,7 @@ void dumpMeshForm(json& out, const UiState& ui, const FinishedMesh* mesh) {
     out["mesh_fault_fields"] = form.faultFields;
     out["mesh_triangles"] = mesh != nullptr ? json(mesh->triangles->size()) : json(nullptr);
     out["mesh_saving"] = form.saving;
-    out["mesh_question"] = form.question;
+    out["mesh_question"] = ui.browsing.overwrite.empty() ? "" : ui.browsing.error;
     out["mesh_complaint"] = form.complaint;
 }
 

@@ -37,8 +37,6 @@ void pause(C& c) { c.playback.pause(); }
 void escape(C& c) {
     UiState& ui = c.ui;
     if (ui.leaving.asked) return c.document.answer(LeaveAnswer::Cancel);
-    if (ui.fileBrowser && ui.browser == BrowserTask::SaveMesh && !ui.mesh.question.empty())
-        return c.mesh.keep();
     // One thing at a time, the topmost first.
     const bool covered =
         ui.coversView() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
@@ -128,7 +126,7 @@ void openFor(C& c, BrowserTask task, const std::string& source) {
 
 void saveMesh(C& c) {
     pause(c);
-    c.ui.mesh.open();
+    c.ui.mesh.clearLines();
     openBrowser(c, BrowserTask::SaveMesh);
 }
 

@@ -187,12 +187,10 @@ bool MeshSaving::poll() {
         file_.answer() != nullptr ? takeSaved(*file_.answer()) : fail(file_.complaint());
         file_.cancel();
     }
-    if (dialogOpen()) {
+    if (dialogOpen())
         prepareMesh();
-    } else {
+    else
         discard();
-        c_.ui.mesh.question.clear();
-    }
     c_.ui.mesh.saving = saving();
     return news;
 }
@@ -263,29 +261,8 @@ bool MeshSaving::canSave(const std::string& path) {
 }
 
 void MeshSaving::save(const std::string& path) {
-    // The key that asks must not answer the question in the same frame.
-    c_.ui.betweenFrames([this, path] {
-        MeshForm& form = c_.ui.mesh;
-        if (!canSave(path)) return;
-        std::error_code error;
-        if (!fs::exists(path, error)) return write(path);
-        form.question = path;
-        form.justAsked = true;
-    });
-}
-
-void MeshSaving::replace() {
-    const std::string path = std::exchange(c_.ui.mesh.question, {});
-    if (canSave(path)) write(path);
-}
-
-void MeshSaving::keep() {
-    c_.ui.mesh.clearLines();
-    c_.ui.mesh.question.clear();
-}
-
-void MeshSaving::write(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
+    if (!canSave(path)) return;
     prepareMesh();
     if (saving()) return;
     order_ = MeshTarget{path, form.usedOnly, form.faultFields};

@@ -44,12 +44,9 @@ class MeshSaving {
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
 
-    /// Saves the mesh once it is made; asks before a file is replaced. Ignored while another file
-    /// waits or is written.
+    /// Saves the mesh once it is made; replaces a file. Ignored while another file waits or is
+    /// written.
     void save(const std::string& path);
-    /// The answer yes or no to that question.
-    void replace();
-    void keep();
     /// Stops waiting for the mesh; too late once the file is being written.
     void cancel();
     /// Copies the command line that makes the mesh; with an empty path for the usual file.
@@ -71,7 +68,6 @@ class MeshSaving {
     void prepareMesh();
     void discard();
     bool canSave(const std::string& path);
-    void write(const std::string& path);
     void startWriting();
     void takeSaved(const SavedMesh& saved);
     void fail(const std::string& why);

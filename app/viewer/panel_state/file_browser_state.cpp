@@ -111,11 +111,6 @@ fs::path withExtension(fs::path path, std::string_view extension) {
     return path;
 }
 
-void MeshForm::open() {
-    clearLines();
-    question.clear();
-}
-
 void MeshForm::clearLines() {
     complaint.clear();
     note.clear();

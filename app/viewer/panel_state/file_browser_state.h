@@ -111,16 +111,10 @@ struct MeshForm : ChosenFormat<meshFormats, meshFormatOf> {
     bool saving = false;
     std::string complaint;    ///< Reason why nothing was saved or copied; empty: no problem.
     std::string note;         ///< Note about the copied command.
-    std::string question;     ///< The file that would be replaced; empty: none.
-    bool justAsked = false;   ///< The button No gets the keyboard focus.
     std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
     std::string savedSource;  ///< A source, see RunSpec.
 
-    /// True while a question or the progress replaces the fields.
-    bool waits() const { return saving || !question.empty(); }
-    /// Clears the messages of the previous use of the dialog; choices stay.
-    void open();
-    /// Clears the lines about the attempt before.
+    /// Clears the lines about the attempt before, or the previous use of the dialog; choices stay.
     void clearLines();
 };
 

@@ -97,26 +97,6 @@ TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cu
     CHECK(read(app.folder / "a.ply").faces == *app.finished().triangles);
 }
 
-TEST_CASE("A file is replaced only after a question") {
-    SavingApp app;
-    const fs::path path = app.folder / "a.ply";
-    std::ofstream(path) << "old";
-    app.save(path);
-    CHECK(app.ui.mesh.question == path.string());
-    CHECK(readText(path) == "old");
-    // Esc answers no, and the dialog stays.
-    actions::escape(app.context);
-    app.settle();
-    CHECK(app.ui.mesh.question.empty());
-    CHECK(app.ui.fileBrowser);
-    CHECK(readText(path) == "old");
-    app.save(path);
-    app.mesh.replace();
-    app.settle();
-    CHECK_FALSE(app.ui.fileBrowser);
-    CHECK(read(path).faces == *app.finished().triangles);
-}
-
 TEST_CASE("A write error is reported in the dialog, which stays open") {
     SavingApp app;
     app.save(app.folder / "none" / "a.ply");
@@ -124,8 +104,6 @@ TEST_CASE("A write error is reported in the dialog, which stays open") {
     CHECK(app.ui.mesh.complaint.find("there is no folder") != std::string::npos);
     fs::create_symlink("/dev/full", app.folder / "full.ply");
     app.save(app.folder / "full.ply");
-    app.mesh.replace();
-    app.settle();
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.mesh.complaint.find("full.ply: cannot be written") != std::string::npos);
     // The next attempt begins without it.
@@ -163,11 +141,7 @@ TEST_CASE("A line about the last attempt goes with the next one") {
     actions::copyCommand(app.context);
     CHECK(form.complaint.empty());
     CHECK_FALSE(form.note.empty());
-    std::ofstream(app.folder / "b.ply") << "old";
     app.save(app.folder / "b.ply");
-    REQUIRE_FALSE(form.question.empty());
-    actions::copyCommand(app.context);
-    app.mesh.keep();
     CHECK(form.note.empty());
     CHECK(form.complaint.empty());
 }

@@ -5,6 +5,8 @@
 
 #include "driven_app.h"
 #include "open_session.h"
+#include "run/strings.h"
+#include "spiraling_edge/base/atomic_file.h"
 
 using namespace se;
 using namespace se::view;
@@ -344,6 +346,30 @@ TEST_CASE(
     const std::string at = app.address();
     app.press("Down Enter");
     CHECK(app.address() != at);
+}
+
+TEST_CASE("A file is replaced only at the second request, be it a session or a mesh") {
+    const test::OwnFolder folder;
+    DrivenApp app({"scene:sphere"});
+    if (!app) return;
+    const std::pair<const char*, const char*> dialogs[] = {{"Ctrl+Shift+S", "a.sesession"},
+                                                           {"Ctrl+E", "a.ply"}};
+    for (const auto& [key, name] : dialogs) {
+        CAPTURE(name);
+        const auto path = folder / name;
+        REQUIRE(writeFileAtomically(path, "old").ok());
+        for (const bool replaces : {false, true}) {
+            app.press(key);
+            app.press("Ctrl+A");
+            app.type(path.string());
+            app.press("Enter");
+            CHECK(app.ui.states.of<FileBrowsing>().error ==
+                  std::string(name) + " exists already. Replace it? Save again to do so.");
+            app.press(replaces ? "Enter" : "Esc");
+            CHECK_FALSE(app.ui.fileBrowser);
+            CHECK((readText(path) == "old") != replaces);
+        }
+    }
 }
 
 TEST_CASE("On the start page keys of a run do nothing, and a tile opens its scene") {

@@ -125,24 +125,6 @@ void drawCopy(const PanelContext& context, const std::string& path) {
     dimText(form.note);
 }
 
-void drawReplaceQuestion(const PanelContext& context) {
-    MeshForm& form = context.state<MeshForm>();
-    wrappedText(replaceText(form.question, context.session().input().spec().source));
-    const bool replace = textButton(context, "Replace", "mesh replace");
-    const bool chosen = ImGui::IsItemFocused();
-    ImGui::SameLine();
-    const bool keep = textButton(context, "Cancel (Esc)", "mesh keep");
-    // The safe answer has the keyboard focus. Space is Dear ImGui's own key for it.
-    if (std::exchange(form.justAsked, false)) takeKeyboard();
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
-    if (replace || (enter && chosen)) {
-        context.commands.mesh.replace();
-    } else if (keep || enter) {
-        context.commands.mesh.keep();
-    }
-}
-
 void drawWork(const PanelContext& context) {
     const bool writing = context.commands.mesh.writing();
     const float button = 5.5F * context.em;
@@ -236,11 +218,10 @@ void drawProgress(const PanelContext& context) {
     if (progressAndStop(context, share, text.c_str(), "export cancel", 5.5F)) form.working = false;
 }
 
-/// The browser is saving a mesh or an export, and waits for an answer or for a thread: input is
-/// disabled.
+/// The browser is saving a mesh or an export, and waits for a thread: input is disabled.
 bool saveDialogWaits(const PanelContext& context) {
     const BrowserTask task = context.ui().browser;
-    return (task == BrowserTask::SaveMesh && context.state<MeshForm>().waits()) ||
+    return (task == BrowserTask::SaveMesh && context.state<MeshForm>().saving) ||
            (task == BrowserTask::Export && context.state<ExportForm>().working);
 }
 
@@ -249,7 +230,6 @@ void drawMeshFields(const PanelContext& context, std::string& name, const std::s
     MeshForm& form = context.state<MeshForm>();
     complain(context, form.complaint);
     if (form.saving) return drawWork(context);
-    if (!form.question.empty()) return drawReplaceQuestion(context);
     drawFormats(
         context, form, meshFormats(), name, "mesh ",
         [](const MeshFormat& each) { return each.name; }, leftOutText);
@@ -295,6 +275,8 @@ void save(CommandContext& c, const std::string& path) {
             return c.lesson.saveResult(path);
         case BrowserTask::SaveLesson:
             return c.lesson.saveLesson(path);
+        case BrowserTask::SaveMesh:
+            return c.mesh.save(path);
         case BrowserTask::Export:
             c.ui.exported.path = path;
             c.ui.exported.working = true;
@@ -304,23 +286,27 @@ void save(CommandContext& c, const std::string& path) {
     }
 }
 
+/// The file of a typed name, with the extension of the chosen format or of the purpose.
+fs::path fileOf(const PanelContext& context, const std::string& typed) {
+    const BrowserTask task = context.ui().browser;
+    if (task == BrowserTask::SaveMesh) return context.state<MeshForm>().withFormat(typed);
+    if (task == BrowserTask::Export) return context.state<ExportForm>().withFormat(typed);
+    return withExtension(typed, rowOf(task).extension);
+}
+
 /// An existing file is replaced only at the second request.
-void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
-    // It has a question of its own.
-    if (context.ui().browser == BrowserTask::SaveMesh)
-        return context.commands.mesh.save(context.state<MeshForm>().withFormat(typed.string()));
-    const ExportForm& exported = context.state<ExportForm>();
-    const bool frames = context.ui().browser == BrowserTask::Export;
-    const fs::path path = frames ? fs::path(exported.withFormat(typed.string()))
-                                 : withExtension(typed, rowOf(context.ui().browser).extension);
+void saveTo(const PanelContext& context, FileBrowsing& state, const std::string& typed) {
+    const BrowserTask task = context.ui().browser;
+    const fs::path path = fileOf(context, typed);
     std::error_code error;
-    const bool session = context.ui().browser == BrowserTask::SaveSession;
-    const bool own = session && path == context.ui().sessionPath;
-    const bool series = frames && exported.frames != ExportFrames::Picture;
+    const bool own = task == BrowserTask::SaveSession && path == context.ui().sessionPath;
+    const bool series =
+        task == BrowserTask::Export && context.state<ExportForm>().frames != ExportFrames::Picture;
     std::vector<fs::path> replaced = series ? seriesFilesAt(path) : std::vector{path};
     std::erase_if(replaced, [&](const fs::path& each) { return !fs::exists(each, error); });
     if (!own && !replaced.empty() && state.overwrite != path) {
         state.overwrite = path;
+        context.state<MeshForm>().clearLines();
         state.error =
             replaceText(replaced.front().string(), context.session().input().spec().source) +
             " Save again to do so.";
@@ -329,8 +315,9 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     state.overwrite.clear();
     state.error.clear();
     save(context.commands, path.string());
-    // An export shows its progress here.
-    if (!frames) context.ui().fileBrowser = false;
+    // A mesh and an export show their progress here.
+    const bool shows = task == BrowserTask::SaveMesh || task == BrowserTask::Export;
+    if (!shows) context.ui().fileBrowser = false;
 }
 
 /// File name without extension for the sampled points of the page, or of the open input.
