@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,23 +17,6 @@
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
-
-/// The inputs of a painting of the lanes.
-struct LaneInputs {
-    std::uint32_t generation = 0;
-    std::size_t pivots = 0;
-    std::size_t changes = 0;
-    bool complete = false;
-    StripWindow window;
-    LaneRoom room;
-    friend bool operator==(const LaneInputs&, const LaneInputs&) = default;
-};
-
-/// The lanes as last painted.
-struct PaintedLanes {
-    LaneInputs inputs;
-    LanePicture picture;
-};
 
 /// Something that follows the cursor, but only when it moves, so that the user can scroll away.
 class CursorWatch {
@@ -59,26 +41,20 @@ struct Navigation {
     StripChoice strips = StripChoice::Auto;
     bool stripFolded = false;  ///< As last laid out.
     StripWindow strip;
-    PaintedLanes lanes;
-    CursorWatch stripWatch;
     StepTree steps;
-    CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
     Index pointedAt = kNone;    ///< The point under the pointer, determined again in every frame.
     Index pointedRing = kNone;  ///< The ring under the pointer, determined again in every frame.
-    CursorWatch ringWatch;
-    bool opensLayers = false;  ///< The menu of the layers is to be opened in this frame.
-    bool opensNotes = false;   ///< The menu of the bookmarks and notes, too.
-    bool phoneLegend = false;  ///< On a phone, where it covers much of the view.
-    long ringShift = 0;        ///< Offset of the ring strip, in points.
+    bool opensLayers = false;   ///< The menu of the layers is to be opened in this frame.
+    bool opensNotes = false;    ///< The menu of the bookmarks and notes, too.
+    bool phoneLegend = false;   ///< On a phone, where it covers much of the view.
 
     /// Folds the strip below the view to its first row if it is open, otherwise opens all of it.
     void toggleStrips() { strips = stripFolded ? StripChoice::Open : StripChoice::Folded; }
 };
 
 struct AlertsPanel {
-    std::map<std::string, bool> open;  ///< Classes that were folded or unfolded by the user.
-    bool reveal = false;               ///< The list scrolls to the chosen alert.
+    bool reveal = false;  ///< The list scrolls to the chosen alert.
 };
 
 /// A request to close holes, answered when the new mesh has been checked.
@@ -107,7 +83,6 @@ struct BreakpointsPanel {
 
 struct WatchPanel {
     std::vector<std::string> expressions;  ///< See core's watch.h.
-    std::map<std::string, PaintedPlot> plots;
 };
 
 /// A list of decisions that follows the cursor.

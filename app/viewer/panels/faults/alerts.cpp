@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,11 @@ namespace {
 /// Number of alerts above which classes are folded at first.
 constexpr std::size_t kManyAlerts = 40;
 
+/// The heads that the user has folded (false) or unfolded (true), by name.
+struct UnfoldedAlerts {
+    std::map<std::string, bool> heads;
+};
+
 /// A line of the list: the head of a place, or of a class that is no fault, or an alert of it.
 struct AlertRow {
     enum class Kind : std::uint8_t { Place, Class, Alert } kind;
@@ -35,7 +41,7 @@ struct AlertRow {
 
 /// Whether the rows under a head are shown; `holds`: the chosen alert is among them.
 bool isOpen(const PanelContext& context, const std::string& head, bool holds) {
-    const auto& byHand = context.state<AlertsPanel>().open;
+    const auto& byHand = context.state<UnfoldedAlerts>().heads;
     const auto found = byHand.find(head);
     if (holds && context.state<AlertsPanel>().reveal) return true;
     if (found != byHand.end()) return found->second;
@@ -115,7 +121,7 @@ void drawPlace(const PanelContext& context, std::size_t place) {
             context, name, std::to_string(place + 1) + "  " + what, "", open, shown,
             what + ".\n" + (shown ? (open ? "Fold" : "Unfold") : "Show it on the finished mesh")))
         return;
-    bool& unfolded = context.state<AlertsPanel>().open[name];
+    bool& unfolded = context.state<UnfoldedAlerts>().heads[name];
     unfolded = shown ? !open : true;
     if (!shown) showPlace(context.commands, place);
 }
@@ -125,7 +131,7 @@ void drawClass(const PanelContext& context, const AlertGroup& group) {
     const bool open = isOpen(context, group);
     if (drawHead(context, name, titleOf(*group.kind), amountOf(group), open, false,
                  std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold")))
-        context.state<AlertsPanel>().open[name] = !open;
+        context.state<UnfoldedAlerts>().heads[name] = !open;
 }
 
 void drawRow(const PanelContext& context, std::size_t index) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
@@ -19,6 +20,11 @@ namespace se::view {
 namespace {
 
 constexpr float kPlotHeight = 3.2F;
+
+/// The plots as last painted, by expression.
+struct WatchPlots {
+    std::map<std::string, PaintedPlot> all;
+};
 
 /// 12345.0 as "12 345"; a status in words.
 std::string valueText(const std::string& expression, double value) {
@@ -70,7 +76,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
     const Rect at{{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y},
                   {ImGui::GetContentRegionAvail().x, kPlotHeight * context.em}};
     const auto columns = static_cast<std::size_t>(std::max(8.0F, std::round(at.size.x)));
-    PaintedPlot& plot = context.state<WatchPanel>().plots[expression];
+    PaintedPlot& plot = context.state<WatchPlots>().all[expression];
     const std::size_t last = lastPivot(session);
     keepPlot(plot, session.generation(), series.values, last, columns);
     ImDrawList* list = ImGui::GetWindowDrawList();

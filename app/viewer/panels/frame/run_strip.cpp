@@ -31,6 +31,24 @@ constexpr float kLargestRingName = 0.75F;
 /// Height of the row that the remaining lanes share.
 constexpr float kGathered = 1.0F;
 
+/// The inputs of a painting of the lanes.
+struct LaneInputs {
+    std::uint32_t generation = 0;
+    std::size_t pivots = 0;
+    std::size_t changes = 0;
+    bool complete = false;
+    StripWindow window;
+    LaneRoom room;
+    friend bool operator==(const LaneInputs&, const LaneInputs&) = default;
+};
+
+/// The lanes as last painted.
+struct PaintedLanes {
+    LaneInputs inputs;
+    LanePicture picture;
+    CursorWatch watch;  ///< Moves of the cursor, which the strip follows.
+};
+
 struct RunStrip {
     const PanelContext& context;
     Rect bars;
@@ -38,7 +56,7 @@ struct RunStrip {
     float pitch = 1.0F;
     ScreenPainter p{context};
 
-    const LanePicture& picture() const { return context.state<Navigation>().lanes.picture; }
+    const LanePicture& picture() const { return context.state<PaintedLanes>().picture; }
     const StripWindow& window() const { return context.state<Navigation>().strip; }
     float xOf(double pivot) const {
         return bars.min.x + static_cast<float>(window().shareOf(pivot)) * bars.size.x;
@@ -206,11 +224,16 @@ std::string gatheredText(const RunStrip& strip, ImVec2 mouse) {
 void keepPainted(const PanelContext& context, const LaneRoom& room) {
     const Session& session = context.session();
     const RunOverview& run = session.overview();
-    Navigation& nav = context.state<Navigation>();
-    const LaneInputs now{session.generation(), run.pivots.size(), run.laneChanges.size(),
-                         run.complete,         nav.strip,         room};
-    if (nav.lanes.inputs == now) return;
-    nav.lanes = {now, makeLanePicture(run, nav.strip, room)};
+    PaintedLanes& lanes = context.state<PaintedLanes>();
+    const StripWindow& window = context.state<Navigation>().strip;
+    const LaneInputs now{session.generation(),
+                         run.pivots.size(),
+                         run.laneChanges.size(),
+                         run.complete,
+                         window,
+                         room};
+    if (std::exchange(lanes.inputs, now) == now) return;
+    lanes.picture = makeLanePicture(run, window, room);
 }
 
 /// Pivots along the top, at round numbers.
@@ -460,14 +483,13 @@ void handleMouse(const RunStrip& strip) {
 /// Keeps the strip's window on the run, and on the cursor when it moves.
 void keepWindow(const PanelContext& context) {
     const Session& session = context.session();
-    Navigation& nav = context.state<Navigation>();
-    if (nav.lanes.inputs.generation != session.generation()) nav.strip.showAll();
-    nav.strip.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
+    PaintedLanes& lanes = context.state<PaintedLanes>();
+    StripWindow& window = context.state<Navigation>().strip;
+    if (lanes.inputs.generation != session.generation()) window.showAll();
+    window.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
     const bool moved =
-        nav.stripWatch.moved(session.generation(), session.record().pivot, session.cursor());
-    if (moved && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        nav.strip.reveal(session.record().pivot);
-    }
+        lanes.watch.moved(session.generation(), session.record().pivot, session.cursor());
+    if (moved && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) window.reveal(session.record().pivot);
 }
 
 }  // namespace

@@ -73,6 +73,12 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
 
 // ---- the strip ------------------------------------------------------------------------------
 
+/// The part of the ring that is shown: about the current work, or shifted by the wheel.
+struct SliceShift {
+    long points = 0;
+    CursorWatch watch;  ///< A move of the cursor ends the shift.
+};
+
 /// One ring along a line, from left to right in its direction.
 struct RingStrip {
     const PanelContext& context;
@@ -189,21 +195,21 @@ void drawWhole(RingStrip& strip, float width, std::optional<std::size_t> work) {
 
 void drawStrip(const PanelContext& context, const RingPath& ring) {
     const Session& session = context.session();
-    Navigation& nav = context.state<Navigation>();
+    SliceShift& shift = context.state<SliceShift>();
     const float em = context.em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float widest = textWidth(std::to_string(session.model().points.size()));
     const float least = 0.8F * widest + kPointGap * em;
     const auto work = workPlace(session.picture(), ring);
-    if (nav.ringWatch.moved(session.generation(), session.record().pivot, session.cursor()))
-        nav.ringShift = 0;
+    if (shift.watch.moved(session.generation(), session.record().pivot, session.cursor()))
+        shift.points = 0;
     const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) &&
                          ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + kStripHeight * em});
-    if (hovered) nav.ringShift -= static_cast<long>(ImGui::GetIO().MouseWheel);
+    if (hovered) shift.points -= static_cast<long>(ImGui::GetIO().MouseWheel);
     const auto fits = static_cast<std::size_t>(std::max(1.0F, width / least));
     RingStrip strip{context, ring, {}, {at.x, at.y + 1.9F * em}, least};
-    strip.slice = sliceAbout(ring.points.size(), work.value_or(0), nav.ringShift, fits);
+    strip.slice = sliceAbout(ring.points.size(), work.value_or(0), shift.points, fits);
     strip.pitch = width / static_cast<float>(std::max<std::size_t>(1, strip.slice.count));
     strip.pitch = std::min(strip.pitch, 1.6F * least);
     const std::string title = "ring " + ringName(ring.number) + ", in its direction";

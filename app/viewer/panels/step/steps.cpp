@@ -309,6 +309,11 @@ void toggle(const PanelContext& context, const StepRow& row) {
     }
 }
 
+/// Moves of the cursor, which the list of steps follows.
+struct StepsWatch {
+    CursorWatch cursor;
+};
+
 /// The user's action on a row.
 enum class RowAction : std::uint8_t { None, Go, Toggle };
 
@@ -388,12 +393,11 @@ void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
 /// Scrolls to the cursor's row if the cursor has moved away from it.
 void followCursor(const PanelContext& context, float pitch) {
     const Session& session = context.session();
-    Navigation& nav = context.state<Navigation>();
-    if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor()))
-        return;
+    CursorWatch& watch = context.state<StepsWatch>().cursor;
+    if (!watch.moved(session.generation(), session.record().pivot, session.cursor())) return;
     // The start has no row: it is above the first.
     if (session.event() == nullptr) return ImGui::SetScrollY(0.0F);
-    const auto row = nav.steps.rowOfCursor();
+    const auto row = context.state<Navigation>().steps.rowOfCursor();
     if (!row) return;
     const float top = static_cast<float>(*row) * pitch;
     const float height = ImGui::GetWindowHeight();
