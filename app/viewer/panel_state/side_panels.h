@@ -88,8 +88,9 @@ struct WatchPanel {
 /// A list of decisions that follows the cursor.
 struct LineList {
     CursorWatch watch;
-    const void* answer = nullptr;  ///< Lines that were drawn last; only compared.
-    int settling = 0;              ///< Frames without scrolling to the cursor.
+    const void* answer = nullptr;       ///< Lines that were drawn last; only compared.
+    int settling = 0;                   ///< Frames without scrolling to the cursor.
+    std::vector<std::size_t> unfolded;  ///< The first lines of repeats that the user has unfolded.
 };
 
 struct LedgerPanel {

@@ -219,6 +219,24 @@ TEST_CASE("Ledger: a new answer shows its cause, below a sentence and buttons th
     CHECK(app.shows("ledger copy"));
 }
 
+TEST_CASE("Ledger: repeats are one row, until it is clicked or the cursor comes there") {
+    DrivenApp app({"scene:stranded-point"}, {1280, 1600});
+    if (!app) return;
+    app.press("W");
+    app.retype("ledger box", "20");
+    app.press("Enter");
+    REQUIRE(app.shows("line 13.sort.5"));
+    CHECK_FALSE(app.shows("line 24.sort.6"));
+    app.goTo("24.sort.6");
+    CHECK(app.shows("line 24.sort.6"));
+    app.goTo("0");
+    CHECK_FALSE(app.shows("line 24.sort.6"));
+    app.clickOn("fold 23.sort.9");
+    CHECK(app.shows("line 24.sort.6"));
+    app.clickOn("line 24.sort.6");
+    CHECK(app.address() == "24.sort.6");
+}
+
 TEST_CASE("Ledger: the decision that it was asked at comes first") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.3"});
     if (!app) return;

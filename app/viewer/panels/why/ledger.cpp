@@ -91,8 +91,9 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
     if (ImGui::IsItemVisible()) nameItem(context, "ledger copy");
     ImGui::Spacing();
     const ScrolledBody body(context, "##ledgerBody");
-    drawDecisionRows(context, {ledger.lines, context.state<LedgerPanel>().list, ledger.cause},
-                     FrameRequest::Focus);
+    DecisionRows rows{ledger.lines, context.state<LedgerPanel>().list, ledger.cause};
+    rows.folds = foldsOf(ledger.lines, ledger.cause);
+    drawDecisionRows(context, rows, FrameRequest::Focus);
 }
 
 /// While the panel is visible, each new selection is queried.

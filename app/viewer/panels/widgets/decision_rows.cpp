@@ -73,7 +73,23 @@ class RowDrawer {
         ImGui::PopID();
         drawTop(line, at, room, i == rows_.cause, here);
         drawBelow(line, {at.x, at.y + ImGui::GetTextLineHeight()}, room, note.below);
-        drawCursorLine(i, at, room);
+        drawCursorLine({i, 1}, at, room);
+        return chosen;
+    }
+
+    /// Repeats of the row above. True if they are to be unfolded.
+    bool drawFold(const LineFold& fold) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushID(static_cast<int>(fold.first));
+        const bool chosen = ImGui::Selectable("##fold", false, 0, {0.0F, height()});
+        if (ImGui::IsItemVisible())
+            nameItem(context_, "fold " + toString(rows_.lines[fold.first].event.address),
+                     "Click to list them");
+        ImGui::PopID();
+        ScreenPainter p(context_);
+        p.text({at.x + left(), at.y}, "and " + grouped(fold.count) + " more like it",
+               p.ink(&Palette::textDim), {em()});
+        drawCursorLine(fold, at, ImGui::GetContentRegionAvail().x);
         return chosen;
     }
 
@@ -140,9 +156,10 @@ class RowDrawer {
         return textWidth(full) <= room ? full : at + comparisonText(*line.reading, false);
     }
 
-    /// Position of the cursor between two lines.
-    void drawCursorLine(std::size_t i, ImVec2 at, float room) const {
-        if (!rows_.inOrder || place_.here || place_.before != i) return;
+    /// Position of the cursor between two rows.
+    void drawCursorLine(const LineFold& row, ImVec2 at, float room) const {
+        const bool here = place_.before - row.first < row.count;
+        if (!rows_.inOrder || place_.here || !here) return;
         const float y = std::round(at.y - 0.12F * em());
         ScreenPainter p(context_);
         p.line({at.x, y}, {at.x + room, y}, p.ink(&Palette::pivot).line(p.px(0.1F)));
@@ -164,6 +181,33 @@ LinePosition positionOfCursor(const DecisionRows& rows, const Session& session) 
     return place;
 }
 
+/// The rows of a list, each with the lines that it stands for. Repeats around the cursor are not
+/// folded.
+std::vector<LineFold> foldedRows(const DecisionRows& rows, const LinePosition& place) {
+    std::vector<LineFold> all;
+    std::size_t next = 0;
+    const auto addUpTo = [&](std::size_t line) {
+        for (; next < line; ++next) all.push_back({next, 1});
+    };
+    for (const LineFold& fold : rows.folds) {
+        const bool here = place.here && *place.here - fold.first < fold.count;
+        if (here || isAmong(fold.first, rows.list.unfolded)) continue;
+        addUpTo(fold.first);
+        all.push_back(fold);
+        next += fold.count;
+    }
+    addUpTo(rows.lines.size());
+    return all;
+}
+
+/// The number of the row that shows a line.
+float rowOf(std::span<const LineFold> shown, std::size_t line) {
+    const auto row = std::partition_point(shown.begin(), shown.end(), [line](const LineFold& each) {
+        return each.first + each.count <= line;
+    });
+    return static_cast<float>(row - shown.begin());
+}
+
 /// Scrolls from `scroll` to a row at `y`, unless that is in sight then.
 void scrollTo(float y, float pitch, float scroll) {
     const float height = ImGui::GetWindowHeight();
@@ -171,10 +215,11 @@ void scrollTo(float y, float pitch, float scroll) {
     ImGui::SetScrollY(inSight ? scroll : std::max(0.0F, y - 0.4F * height));
 }
 
-/// Scrolls to the line that the cursor moves to, and to the decisive one of a new answer; `top` is
-/// the position of the first one.
+/// Scrolls to the line that the cursor moves to, and to the decisive one of a new answer. To be
+/// called before the first row.
 void follow(const PanelContext& context, const DecisionRows& rows, const LinePosition& place,
-            float top, float pitch) {
+            std::span<const LineFold> shown, float pitch) {
+    const float top = ImGui::GetCursorPosY();
     const Session& session = context.session();
     const bool moved =
         rows.list.watch.moved(session.generation(), session.record().pivot, session.cursor());
@@ -184,11 +229,11 @@ void follow(const PanelContext& context, const DecisionRows& rows, const LinePos
         // Where the answer scrolls with its lines, it is to be read first.
         const bool alone = top < pitch;
         const std::size_t first = alone ? rows.cause.value_or(0) : 0;
-        scrollTo(static_cast<float>(first) * pitch, pitch, 0.0F);
+        scrollTo(rowOf(shown, first) * pitch, pitch, 0.0F);
     }
     if (rows.list.settling > 0) --rows.list.settling;
     if (!moved || !place.here || rows.list.settling > 0) return;
-    scrollTo(top + static_cast<float>(*place.here) * pitch, pitch, ImGui::GetScrollY());
+    scrollTo(top + rowOf(shown, *place.here) * pitch, pitch, ImGui::GetScrollY());
 }
 
 }  // namespace
@@ -197,10 +242,17 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     std::optional<std::size_t> chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
     const LinePosition place = positionOfCursor(rows, context.session());
+    if (rows.list.answer != rows.lines.data()) rows.list.unfolded.clear();
+    const std::vector<LineFold> shown = foldedRows(rows, place);
     RowDrawer drawer(context, rows, place);
-    follow(context, rows, place, ImGui::GetCursorPosY(), drawer.pitch());
-    drawSeen(rows.lines.size(), drawer.pitch(), [&](std::size_t i) {
-        if (drawer.draw(i)) chosen = i;
+    follow(context, rows, place, shown, drawer.pitch());
+    drawSeen(shown.size(), drawer.pitch(), [&](std::size_t i) {
+        const LineFold& row = shown[i];
+        if (row.count > 1) {
+            if (drawer.drawFold(row)) rows.list.unfolded.push_back(row.first);
+        } else if (drawer.draw(row.first)) {
+            chosen = row.first;
+        }
     });
     ImGui::PopStyleVar();
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
