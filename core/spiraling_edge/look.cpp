@@ -20,7 +20,7 @@ Status lookFrom(const std::filesystem::path& folder, const Stepper& stepper,
     const std::string points = "points.ply";
     Status written = writeMeshPly(folder / points, fileOf(stepper.points()), {});
     if (!written) return written;
-    const std::filesystem::path session = folder / "run.sesession";
+    const std::filesystem::path session = folder / ("run" + std::string(kSessionExtension));
     const std::uint32_t pivots = stepper.state().counters.pivots;
     written = writeFileAtomically(session, sessionText(stepper.params(), points, pivots));
     if (!written) return written;

@@ -215,8 +215,10 @@ py::array pictureOf(const PreparedRun& run, const TriangleArray& mesh, int size,
     return arrayOf(std::move(picture.rgba)).reshape({size, size, 4});
 }
 
-/// Writes the points with the lists of a run, and a session that opens them at an address.
-void writeSession(const PreparedRun& run, const py::object& folder, const std::string& address) {
+/// Writes the points with the lists of a run, and a session that opens them at an address. The path
+/// of the session.
+std::string writeSession(const PreparedRun& run, const py::object& folder,
+                         const std::string& address) {
     PointFile file = *run.file;
     file.positionType = file.normalType = ScalarType::Double;
     file.normal = run.points->normal;
@@ -225,8 +227,10 @@ void writeSession(const PreparedRun& run, const py::object& folder, const std::s
     const std::filesystem::path place(pathOf(folder));
     require<std::runtime_error>(writeMeshPly(place / "points.ply", file, {}));
     const RunSpec spec = withRule(specOf(paramsFrom(run.spec)), "opposing", 0.0);
+    const std::filesystem::path session = place / ("run" + std::string(kSessionExtension));
     require<std::runtime_error>(
-        writeFileAtomically(place / "run.sesession", sessionText({"points.ply", spec, address})));
+        writeFileAtomically(session, sessionText({"points.ply", spec, address})));
+    return session.string();
 }
 
 /// The points prepared again, by other options.

@@ -462,7 +462,7 @@ def look(run: Union[Run, Stepper], viewer: str = "spiraling-edge-viewer") -> Non
     import tempfile
     place = str(run.pivots) if isinstance(run, Stepper) else run.state.address or "0"
     with tempfile.TemporaryDirectory(prefix="spiraling-edge-") as folder:
-        run.prepared._core.write_session(folder, place)
-        ended = subprocess.run([viewer, os.path.join(folder, "run.sesession")], check=False).returncode
+        session = run.prepared._core.write_session(folder, place)
+        ended = subprocess.run([viewer, session], check=False).returncode
     if ended != 0:
         raise OSError(f"{viewer} ended with an error")
