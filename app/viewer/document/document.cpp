@@ -77,12 +77,12 @@ void Document::begin(const Options& options) {
 /// its decision.
 void Document::aimAt(const LinkOptions& named) {
     if (!named.goTo.empty()) {
-        arrival_.goTo = named.goTo;
+        arrival_.named.goTo = named.goTo;
         arrival_.framed = !named.camera;
     }
     arrival_.framed = arrival_.framed || named.focus;
-    if (named.camera) arrival_.camera = named.camera;
-    arrival_.stateHash = named.stateHash;
+    if (named.camera) arrival_.named.camera = named.camera;
+    arrival_.named.stateHash = named.stateHash;
     if (named.goTo.empty() && named.alert.empty() && !named.camera && !named.session &&
         !named.atDifference)
         aimAtScene(named.input.source);
@@ -92,7 +92,7 @@ void Document::aimAt(const LinkOptions& named) {
 void Document::aimAtScene(const std::string& source) {
     const std::string_view address = openingAddress(source);
     if (address.empty()) return;
-    arrival_.goTo = address;
+    arrival_.named.goTo = address;
     arrival_.framed = true;
 }
 
@@ -171,7 +171,7 @@ void Document::openNow(RunSpec spec) {
     c_.playback.pause();
     const Session& session = c_.session;
     expectArrival(spec.source);
-    if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
+    if (c_.ui.growth.open) arrival_.named.camera = c_.camera.pose();
     const bool same = session.ready() && session.input().spec().source == spec.source;
     if (!same) c_.lesson.closeForOther();
     if (same) arrival_.selected = session.selection();
@@ -206,16 +206,14 @@ void Document::openLinkNow(const Options& link) {
     expectArrival(link.session ? std::string{} : link.input.source);
     arrival_.with = std::move(other);
     if (link.atDifference) arrival_.notice = "Press D for the first difference.";
-    arrival_.session = link.session;
-    arrival_.alert = link.alert;
-    arrival_.play = link.playSeconds;
+    arrival_.named = link;
     aimAt(link);
     openInput(link.input);
 }
 
 void Document::openStep(RunSpec spec, const std::string& address) {
     expectArrival({});
-    arrival_.goTo = address;
+    arrival_.named.goTo = address;
     openInput(std::move(spec));
 }
 
@@ -225,7 +223,7 @@ void Document::openSession(const std::string& path) {
     c_.lesson.closeForOther();
     expectArrival(path);
     arrival_.sessionPath = path;
-    arrival_.session = read.value();
+    arrival_.named.session = read.value();
     openInput(read.value().input);
 }
 
@@ -242,11 +240,11 @@ void Document::takeLooks(const SessionFile& file, const std::string& path) {
     if (file.with.kind != CompareWith::Kind::Nothing) c_.compare.beginWith(file.with);
     if (!file.leftOut.empty()) warnLater(file.leftOut);
     arrival_.ofSession = true;
-    arrival_.goTo = file.place.address;
-    arrival_.camera = file.place.camera;
+    arrival_.named.goTo = file.place.address;
+    arrival_.named.camera = file.place.camera;
     arrival_.framed = !file.place.camera;
     arrival_.selected = file.selected;
-    arrival_.alert = file.alert;
+    arrival_.named.alert = file.alert;
     arrival_.expectedHash = file.inputHash;
 }
 
@@ -268,7 +266,7 @@ void Document::poll() {
 
 /// Switches to the annotations and looks of the input that is open now.
 void Document::takeUp() {
-    const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
+    const std::optional<SessionFile> session = std::exchange(arrival_.named.session, std::nullopt);
     switchAnnotations(c_.session.input().spec().source);
     if (session) takeLooks(*session, arrival_.sessionPath);
     if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
@@ -296,12 +294,12 @@ void Document::arrive() {
     const std::string& source = c_.session.input().spec().source;
     if (arrival_.ofSession || !arrival_.file.empty() || source != keptSpec_.source) keepSettings();
     arrival_.pending = false;
-    alert_ = std::exchange(arrival_.alert, {});
+    alert_ = std::exchange(arrival_.named.alert, {});
     if (arrival_.with) c_.compare.beginWith(*std::exchange(arrival_.with, std::nullopt));
-    placed_ = !arrival_.goTo.empty() || arrival_.camera;
+    placed_ = !arrival_.named.goTo.empty() || arrival_.named.camera;
     ofSession_ = arrival_.ofSession;
     note(arrival_.file);
-    expectEnd(arrival_.stateHash);
+    expectEnd(arrival_.named.stateHash);
     const std::string& hash = c_.session.model().hash;
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
         warnLater(
@@ -317,10 +315,10 @@ void Document::arrive() {
         sayLater(changesText(c_.session.model()));
         return c_.session.moves().toEnd();
     }
-    const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
+    const bool atStart = arrival_.named.goTo.empty() || arrival_.named.goTo == "0";
     if (atStart) return;
     if (arrival_.framed) c_.ui.frame = FrameRequest::Decision;
-    placeStatus_ = c_.session.moves().goToText(arrival_.goTo);
+    placeStatus_ = c_.session.moves().goToText(arrival_.named.goTo);
     if (!placeStatus_) c_.session.messages().say(placeStatus_.error().message);
 }
 

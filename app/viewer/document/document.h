@@ -79,7 +79,9 @@ class Document {
     void poll();
 
     /// The camera for the newly opened input, once.
-    std::optional<CameraPose> takeCamera() { return std::exchange(arrival_.camera, std::nullopt); }
+    std::optional<CameraPose> takeCamera() {
+        return std::exchange(arrival_.named.camera, std::nullopt);
+    }
     /// The input was opened by a session file: one without a camera of its own has z up.
     bool openedSession() const { return ofSession_; }
     /// The alert of the newly opened session, once; empty: none.
@@ -100,7 +102,9 @@ class Document {
     /// Says so once the open run ends in another state than the one of a link.
     void expectEnd(std::optional<std::uint64_t> stateHash);
     /// Seconds in which the newly opened input is to be played, once; 0: it is not.
-    double takePlay() { return arrival_.pending ? 0.0 : std::exchange(arrival_.play, 0.0); }
+    double takePlay() {
+        return arrival_.pending ? 0.0 : std::exchange(arrival_.named.playSeconds, 0.0);
+    }
     /// Marks the settings of the run as saved, for example with its mesh.
     void keepSettings();
     /// Shows the queued notices.
@@ -112,20 +116,15 @@ class Document {
     /// Actions to take once the requested input is open.
     struct Arrival {
         bool pending = false;
-        std::uint32_t generation = 0;        ///< Of the session, at the time of the request.
-        std::string sessionPath;             ///< Empty: no session file.
-        std::optional<SessionFile> session;  ///< Applied once its input is open.
-        std::string notice;                  ///< Notice to show when the input is open.
-        std::string goTo;
-        std::optional<CameraPose> camera;
+        std::uint32_t generation = 0;  ///< Of the session, at the time of the request.
+        LinkOptions named;             ///< Session, place, alert and end, by a link or otherwise.
+        std::string sessionPath;       ///< Empty: no session file.
+        std::string notice;            ///< Notice to show when the input is open.
         Selection selected;
-        std::string alert;
         std::string expectedHash;
         std::optional<CompareWith> with;
-        std::string file;                        ///< For the list of recent files.
-        std::optional<std::uint64_t> stateHash;  ///< Expected at the end of the run.
-        double play = 0.0;    ///< Seconds in which the run is to be played; 0: not.
-        bool framed = false;  ///< The decision at `goTo` is to be framed.
+        std::string file;     ///< For the list of recent files.
+        bool framed = false;  ///< The decision at `named.goTo` is to be framed.
         bool toEnd = false;   ///< Of the run: of an input that was changed.
         bool ofSession = false;
     };
