@@ -341,11 +341,8 @@ void LessonPlayer::save() {
 
 void LessonPlayer::saveLesson(const std::string& file) {
     if (!c_.session.ready()) return c_.session.messages().say("There is nothing open to save.");
-    Annotations annotations;
-    annotations.bookmarks = c_.ui.bookmarks;
-    annotations.notes = c_.ui.notes;
     saveText(c_.session, file,
-             lessonOfBookmarks(c_.session.input().spec(), annotations,
+             lessonOfBookmarks(c_.session.input().spec(), annotationsOf(c_.ui),
                                std::filesystem::path(file).parent_path()));
 }
 

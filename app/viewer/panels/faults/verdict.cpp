@@ -77,9 +77,7 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
                  [&](const MeshVerdict& of) { return grouped(count.of(of)); });
     }
     for (const FailureClass& kind : failureClasses()) {
-        const auto total = [&](const MeshVerdict& of) {
-            return of.totals[static_cast<std::size_t>(&kind - failureClasses().data())];
-        };
+        const auto total = [&](const MeshVerdict& of) { return of.totals[rankOf(kind)]; };
         if (!kind.fault || isCounted(kind)) continue;
         if (total(now).total > 0 || (then != nullptr && total(*then).total > 0))
             both(titleOf(kind), [&](const MeshVerdict& of) {
