@@ -1,7 +1,6 @@
 /// Actions on the open run and the window, called by commands, panels and lessons.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

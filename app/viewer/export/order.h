@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <glm/vec2.hpp>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

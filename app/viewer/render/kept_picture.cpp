@@ -4,7 +4,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <glm/common.hpp>
 
 #include "gl_objects.h"

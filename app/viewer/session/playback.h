@@ -1,7 +1,6 @@
 /// Playing: the number of steps that are due. Plain arithmetic; the caller makes the steps.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

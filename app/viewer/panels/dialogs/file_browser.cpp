@@ -1,7 +1,6 @@
 // The file dialog: folders and files, the line of the name, and the options of what is saved.
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 #include <vector>
 
 #include "compare/compared_runs.h"
