@@ -246,7 +246,7 @@ std::string sentenceOf(const Session& session, const PictureLook& look) {
                session.noticedText();
     // At the start a message has the place of the decision, for a while.
     if (!session.ready() || !session.messages().notice().empty()) return session.messages().last();
-    return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";
+    return "Nothing has happened yet: all points are UNUSED.";
 }
 
 /// The line with the address, shown where no other panel has it.
