@@ -210,7 +210,7 @@ std::string describe(const SamePosition& place, const Address& landed) {
 
 namespace {
 
-constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kEndOfRun = std::numeric_limits<std::uint32_t>::max();
 /// A move shorter than this is made at once; during longer ones the window stays responsive.
 constexpr std::chrono::milliseconds kAnswerTimeout{2};
 /// Limit of waiting moves, so that key repeat does not pile them up.
@@ -319,7 +319,7 @@ std::size_t Moves::eventAt(const PivotRecord& record, const Address& target) {
 
 /// The last event of a pivot, or of the run if that is shorter.
 std::size_t Moves::lastOf(const PivotRecord& record, std::uint32_t pivot) {
-    if (pivot > record.pivot && pivot != kEnd) {
+    if (pivot > record.pivot && pivot != kEndOfRun) {
         session_.messages().miss("There is no pivot " + std::to_string(pivot) +
                                  ": the run ends with pivot " + std::to_string(record.pivot) + ".");
     }
@@ -335,7 +335,7 @@ void Moves::stepPivot(int delta) {
 void Moves::finishPivot() {
     push([this] { moveToLastEvent(); });
 }
-void Moves::toEnd() { goToPivot(kEnd); }
+void Moves::toEnd() { goToPivot(kEndOfRun); }
 
 void Moves::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
 
