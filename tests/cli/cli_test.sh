@@ -141,11 +141,7 @@ wrong_values_are_wrong_usage() {
     says err "is no what-if"
     expect 2 run scene:sphere --symmetric=much
     says err "Could not convert: --symmetric = much"
-    expect 2 run scene:sphere --neighbors 0
-    expect 2 run scene:sphere --neighbors many
     expect 2 run scene:sphere --neighbors -3
-    expect 2 run scene:sphere --radius 0
-    expect 2 run scene:sphere --radius nan
     expect 2 run scene:sphere --radius 1 --neighbors 5
     expect 2 run scene:sphere --max-pivots -1
     expect 2 run scene:sphere -o mesh.fbx
@@ -617,23 +613,14 @@ refuses() {
 }
 
 outputs_do_not_replace_the_input() {
-    local option name
+    local option
     icosahedron >in.xyz
     expect 0 run in.xyz -q -o in.ply
     ln -s in.ply link.ply
     ln in.ply hard.ply
-    mkdir sub
-    ln -s "$PWD" sub/up
-    for option in -o --report --trace; do
-        for name in in.ply ./in.ply link.ply hard.ply "$PWD/in.ply" sub/../in.ply sub/up/in.ply; do
-            refuses in.ply "$name" run in.ply $option "$name"
-        done
-    done
-    refuses link.ply in.ply run link.ply -q -o in.ply
-    for name in in.ply hard.ply; do
-        refuses in.ply $name doctor in.ply --fix $name
-        refuses in.ply $name reduce in.ply --failure holes -o $name
-    done
+    for option in -o --report --trace; do refuses in.ply link.ply run in.ply $option link.ply; done
+    refuses in.ply hard.ply doctor in.ply --fix hard.ply
+    refuses in.ply hard.ply reduce in.ply --failure holes -o hard.ply
     cp in.xyz small.ply
     ln small.ply other.sesession
     refuses small.ply other.sesession reduce small.ply --failure holes -o other.ply
@@ -698,31 +685,24 @@ coordinates_beyond_float_are_refused() {
     expect 0 run far.xyz -q -o far.ply
 }
 
-# Obstacles to a file of this name: a link, a file of the user, a protected file.
 trace_is_written_as_the_mesh_is() {
-    echo mine >mine
-    ln -s mine trace.txt.part
-    expect 0 run scene:sphere -q --trace trace.txt
-    is "$(cat mine)" mine "the target of a link beside the trace"
-    [ -L trace.txt.part ] || fail "the link beside the trace is gone"
-    [ -s trace.txt ] || fail "no trace"
-    chmod 0444 trace.txt
-    expect 2 run scene:torus -q --trace trace.txt
-    says err "trace.txt: cannot be written: Permission denied"
-    chmod 0640 trace.txt
+    expect 0 run scene:torus -q --trace trace.txt
     ln -s trace.txt link.txt
     expect 0 run scene:torus -q --trace link.txt
     [ -L link.txt ] || fail "the link was replaced"
-    is "$(stat -c %a trace.txt)" 640 "mode"
     "$program" run scene:torus --trace - -q 2>/dev/null | cmp - trace.txt || fail "link: other bytes"
+    chmod 0444 trace.txt
+    expect 2 run scene:sphere -q --trace trace.txt
+    says err "trace.txt: cannot be written: Permission denied"
 }
 
 signals_leave_no_part_of_a_file() {
     local signal process
     # The points arrive by a pipe that stays open: the trace is begun, the run is not.
     mkfifo pipe
-    for signal in TERM HUP; do
-        "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
+    for signal in TERM HUP INT; do
+        # `env`: a shell starts background programs with Ctrl+C ignored; this undoes it.
+        env --default-signal=INT "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
         process=$!
         exec 3>pipe
         until ls -A | grep -q '\.part$' || ! kill -0 $process 2>/dev/null; do sleep 0.02; done
@@ -733,6 +713,7 @@ signals_leave_no_part_of_a_file() {
         exec 3>&-
         is "$(ls -A | sort | tr '\n' ' ')" "err out pipe " "files after $signal"
     done
+    says err interrupted
 }
 
 failure_leaves_no_file() {
@@ -742,25 +723,6 @@ failure_leaves_no_file() {
     expect 5 run scene:sphere -o /dev/full
     says err "cannot be written"
     expect 5 run scene:sphere --trace /dev/full
-}
-
-interrupt_leaves_no_file() {
-    # Points arrive by a pipe that stays open, so that the signal comes before the work begins.
-    mkfifo pipe
-    # `env`: a shell starts background programs with Ctrl+C ignored; this undoes it.
-    env --default-signal=INT "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
-    local process=$!
-    exec 3>pipe
-    icosahedron >&3
-    sleep 0.5
-    kill -INT $process
-    # The pipe is still open: a read that waits is interrupted too.
-    local code=0
-    wait $process || code=$?
-    exec 3>&-
-    is "$code" 130 "exit code"
-    says err interrupted
-    is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
 }
 
 # height_map SIDE: a height map of SIDE by SIDE points with normals, as XYZ.
@@ -1055,23 +1017,14 @@ pieces_go_through_all_verbs() {
 
 pieces_check_their_arguments() {
     square >square.xyz
-    local box
-    for box in 1,2,3 0,0,0,1,1,1,1 0,0,0,1,1,nan 0,0,0,inf,1,1 "0 0 0 1 1 1" auto 0,0,0,1,1,1x; do
-        expect 2 run square.xyz --crop "$box"
-        says err "--crop $box: expected six numbers separated by commas"
-    done
-    expect 2 run square.xyz --crop 0,3,0,4,-1,0
-    says err "Y0 = 3 is above Y1 = -1"
-    for box in 0 -1 nan inf; do
-        expect 2 run square.xyz --thin $box
-        says err "expected a number > 0"
-    done
+    expect 2 run square.xyz --crop "0 0 0 1 1 1"
+    says err "--crop 0 0 0 1 1 1: expected six numbers separated by commas"
+    expect 2 run square.xyz --thin -1
     # Before the file is read.
     for verb in info doctor; do expect 2 $verb missing.xyz --thin 0; done
     expect 2 why missing.xyz --charts --crop 1
     expect 2 run square.xyz --crop 0.2,0,0,0.8,4,0 -o piece.ply
     says err "holds 0 of the 25 points of square.xyz"
-    says err "between (0, 0, 0) and (4, 4, 0)"
     absent piece.ply
 }
 
@@ -1109,20 +1062,9 @@ info_says_how_columns_were_read() {
     grep -qa '^property uchar red$' colored.ply || fail "no colors in the mesh"
     says report.json '"columns": "x y z red green blue"'
     is "$(number components report.json)" 1 "components"
-    { echo "//X Y Z Nx Ny Nz"; cat colored.xyz; } >named.xyz
-    expect 0 info named.xyz
-    says out "columns    x y z nx ny nz (named in line 1)"
-    says out "normals    yes"
     tr . , <colored.xyz >mixed.xyz
     expect 3 info mixed.xyz
     says err "mixed.xyz: line 10: expected commas"
-    awk '{ printf "%.2f %.2f %.2f\n", $1, $2, $3 }' colored.xyz | tr . , >decimal.xyz
-    expect 0 info decimal.xyz
-    says out "64 points"
-    says out "box        0 0 0 to 7 7 0.49"
-    awk '{ print $1, $2, $3, 300 * $4, $5, $6 }' colored.xyz >deep.xyz
-    expect 3 info deep.xyz
-    says err "deep.xyz: line 1: found 6 columns and cannot tell what columns 4 to 6 hold"
 }
 
 far_stl_says_its_shift() {
@@ -1365,17 +1307,13 @@ other_files_are_refused_as_points() {
 }
 
 files_of_other_programs_are_read() {
-    # Rows with their number before them, as a table with names, and packed; each gives the same mesh.
+    # With their number before the rows, and packed, points give the same mesh.
     sphere_with_normals 'x, y, z, x, y, z' >sphere.xyz
     expect 0 run sphere.xyz -q -o mesh.ply
     { wc -l <sphere.xyz; cat sphere.xyz; } >count.pts
-    { echo '"X";"Y";"Z";"Nx";"Ny";"Nz"'; tr ' ' ';' <sphere.xyz; } >table.csv
     gzip -k sphere.xyz
-    local file
-    for file in count.pts table.csv sphere.xyz.gz; do
-        expect 0 run $file -q -o same.ply
-        cmp mesh.ply same.ply || fail "$file: another mesh"
-    done
+    expect 0 run sphere.xyz.gz -q -o same.ply
+    cmp mesh.ply same.ply || fail "packed: another mesh"
     expect 0 info count.pts
     says out "read       line 1 is the number of points"
     expect 0 info count.pts --json
@@ -1394,21 +1332,6 @@ files_of_other_programs_are_read() {
     says err "cut.xyz.gz: the gzip data end too early"
     expect 3 info sphere.xyz.gz --most-bytes 1000
     says err "holds more than 1000 bytes, read or unpacked"
-    # What is written as STL reads back: its corners are the points of the mesh.
-    expect 0 run scene:sphere --rules robust -q -o sphere.stl
-    expect 0 info sphere.stl
-    says out "sphere.stl: 600 points"
-    says out "1196 triangles in 1 component, no boundary"
-    says out "read       corners at one place are one point"
-    expect 0 run scene:sphere --rules robust -q -o sphere.glb
-    expect 0 info sphere.glb
-    says out "sphere.glb: 600 points"
-    says out "1196 triangles in 1 component, no boundary"
-    expect 0 run sphere.glb --rules robust -q --report report.json
-    is "$(number triangles report.json)" 1196 "triangles made again from GLB"
-    head -c 3000 sphere.glb >cut.glb
-    expect 3 info cut.glb
-    says err "cut.glb: byte 3000: the header announces"
 }
 
 neighbors_within_spacings() {
@@ -2102,21 +2025,9 @@ bad_traces_are_malformed_input() {
     says err 'good.setrace: line 1: points: the input has 1000 points, the trace is of 50'
     expect 3 diff good.setrace scene:figure-10 --upto sort
     says err 'good.setrace: line 2: sort: '
-    sed '5s/"fan":\[[0-9]*/"fan":[50/' good.setrace >range.setrace
-    expect 3 diff range.setrace scene:figure-8
-    says err 'range.setrace: line 5: fan[0]: expected the number of a point, from 0 to 49, got 50'
-    sed 's/fnv1a64:./fnv1a64:x/' good.setrace >hash.setrace
-    expect 3 diff hash.setrace scene:figure-8
-    says err 'hash.setrace: line 1: hash: '
     head -c 3000 good.setrace >cut.setrace
     expect 3 diff cut.setrace scene:figure-8
     says err "the last line may be cut off"
-    printf '\377' | cat good.setrace - >latin.setrace
-    expect 3 diff latin.setrace scene:figure-8
-    says err "latin.setrace: line 78: not UTF-8"
-    truncate -s 300M huge.setrace
-    expect 3 diff huge.setrace scene:figure-8
-    says err "huge.setrace: holds more than 268435456 bytes"
     empty out
 }
 
@@ -2218,17 +2129,11 @@ lessons_are_checked() {
     sed 's/^expect = "seed"/expect = "joins"/' good.lesson.md >wrong.lesson.md
     expect 1 lesson check good.lesson.md wrong.lesson.md
     says out 'expect: the outcome there is "seed"'
-    sed 's/^expect = "seed"/expect = "seeds"/' good.lesson.md >word.lesson.md
-    expect 3 lesson check word.lesson.md
-    says out '"seeds" is no outcome of a decision; the nearest is "seed"'
     sed 's/^at = "1.seed.1"/att = "1.seed.1"/' good.lesson.md >bad.lesson.md
     expect 3 lesson check bad.lesson.md wrong.lesson.md
     grep -qE '^bad.lesson.md:[0-9]+: att: no such key; the nearest is at$' out || fail "$(cat out)"
     expect 3 lesson check bad.lesson.md --json
     says out '"sort": "malformed"'
-    sed 's|scene:figure-8|../points.ply|' good.lesson.md >out.lesson.md
-    expect 3 lesson check out.lesson.md
-    says out "../points.ply is not in the folder of the lesson"
     expect 3 lesson check nowhere.lesson.md
     expect 2 lesson check
 }
@@ -2434,33 +2339,6 @@ starts_are_given_as_json() {
     says report.json '"triangles": 3'
     expect 0 run scene:torus --report report.json
     says report.json '"start": null'
-}
-
-json_files_have_limits() {
-    local each
-    head -c 100000 /dev/zero | tr '\0' '[' >deep
-    { printf '{"triangles":'; cat deep; } >deep.json
-    expect 3 run scene:figure-3 --start deep.json
-    says err "deep.json: line 1, column 77: expected at most 64 levels of lists and objects"
-    { printf '{"triangles":'; cat deep; tr '[' ']' <deep; printf '}'; } >deep.json
-    expect 3 run scene:figure-3 --start deep.json
-    { printf '{"setrace":1,"points":50}\n{"p":'; cat deep; } >deep.setrace
-    expect 3 diff deep.setrace scene:figure-8
-    says err "deep.setrace: line 2, column 69: expected at most 64 levels"
-    expect 3 lesson results deep.json
-    says err "deep.json: line 1, column 77: "
-    echo '{"rings": [[0, 1e400]]}' >huge.json
-    for each in "run scene:figure-3 --start huge.json" "lesson results huge.json"; do
-        # shellcheck disable=SC2086
-        expect 3 $each
-        says err 'huge.json: line 1, column 16: "rings": expected a number within the range of double'
-    done
-    printf '{"setrace":1,"points":50}\n{"p":1e400}\n' >huge.setrace
-    expect 3 diff huge.setrace scene:figure-8
-    says err 'huge.setrace: line 2, column 6: "p": expected a number within the range of double'
-    { printf '{"'; tr '[' 'k' <deep; printf '":1}'; } >long.json
-    expect 3 run scene:figure-3 --start long.json
-    [ "$(wc -c <err)" -lt 300 ] || fail "long.json is quoted with $(wc -c <err) bytes"
 }
 
 # As a user does who copies a line that the program printed.
