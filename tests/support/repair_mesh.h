@@ -17,10 +17,7 @@ namespace se::test {
 
 /// Points with normals up; every point lists all others.
 inline PointSet flatPoints(std::vector<Vec3> position) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), Vec3(0, 0, 1));
-    points.type.assign(points.size(), kInterior);
+    PointSet points = pointsAt(std::move(position));
     for (Index p = 0; p < points.size(); ++p) {
         Points list;
         for (Index q = 0; q < points.size(); ++q) {

@@ -31,6 +31,21 @@ inline Params paperBut(bool RobustRules::*rule) {
     return params;
 }
 
+/// Names in tests: short lists of points and triangles.
+using Points = std::vector<Index>;
+using Triangles = std::vector<Triangle>;
+
+/// Interior points with the same normal, and with these lists.
+inline PointSet pointsAt(std::vector<Vec3> position, const std::vector<Points>& lists = {},
+                         const Vec3& normal = {0, 0, 1}) {
+    PointSet points;
+    points.position = std::move(position);
+    points.normal.assign(points.size(), normal);
+    points.type.assign(points.size(), kInterior);
+    for (const Points& list : lists) points.neighbors.append(list);
+    return points;
+}
+
 inline std::vector<Index> ringFrom(const State& s, Index entry) {
     std::vector<Index> points;
     const Index length = s.rings.length(s.rings.ringOf(entry));
@@ -230,10 +245,6 @@ class Rig {
     EventLog log_;
     std::optional<Stepper> stepper_;
 };
-
-/// Names in tests: short lists of points and triangles.
-using Points = std::vector<Index>;
-using Triangles = std::vector<Triangle>;
 
 }  // namespace se::test
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;
@@ -37,9 +38,7 @@ TEST_CASE("a triangle begins with its least corner, in the same direction") {
 }
 
 TEST_CASE("shape faults: four for a flipped triangle, one for a single normal against it") {
-    PointSet points;
-    points.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    points.normal.assign(3, Vec3(0, 0, 1));
+    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(shapeFaults(points, {0, 1, 2}) == 0);
     CHECK(shapeFaults(points, {0, 2, 1}) == 4);
     points.normal[1] = {0, 0, -1};

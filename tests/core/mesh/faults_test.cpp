@@ -15,14 +15,6 @@ using namespace se::test;
 
 namespace {
 
-PointSet pointsAt(std::vector<Vec3> position, const Vec3& normal = {0, 0, 1}) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), normal);
-    points.type.assign(points.size(), kInterior);
-    return points;
-}
-
 /// All intersections, by trying every pair.
 std::vector<Fault> bruteIntersections(const PointSet& points, const Triangles& triangles) {
     const auto hasArea = [&](const Triangle& t) {
@@ -122,7 +114,7 @@ TEST_CASE("faults: a triangle against the sum of its normals, not against one of
 
 TEST_CASE("faults: two triangles that cross") {
     const PointSet points =
-        pointsAt({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {2, 1, -1}, {1, 1, 1}}, {0, 0, 1});
+        pointsAt({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {2, 1, -1}, {1, 1, 1}});
     const auto faults = findFaults(points, Triangles{{0, 1, 2}, {3, 4, 5}});
     CHECK(ofKind(faults, FaultKind::Intersecting) == Faults{{FaultKind::Intersecting, 0, 1}});
 }
@@ -130,8 +122,9 @@ TEST_CASE("faults: two triangles that cross") {
 TEST_CASE("faults: two triangles at an edge within ten degrees of each other are folded") {
     const auto foldedAt = [](double degrees) {
         const double angle = degrees * kPi / 180;
-        const PointSet points = pointsAt(
-            {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {-std::cos(angle), 0, std::sin(angle)}}, {0, 0, 0});
+        const PointSet points =
+            pointsAt({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {-std::cos(angle), 0, std::sin(angle)}}, {},
+                     Vec3(0));
         const auto faults = findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}});
         CHECK(ofKind(faults, FaultKind::Intersecting).empty());
         return ofKind(faults, FaultKind::Folded);
@@ -210,7 +203,7 @@ TEST_CASE("faults: the grid finds the intersections and layers that trying every
 TEST_CASE("faults: with a triangle made very often the search ends at its bound, and soon") {
     // Five billion pairs. Every second one is turned over, and without normals the order of the
     // corners tells the side: half of the pairs are second layers.
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Vec3(0));
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, Vec3(0));
     Triangles triangles(100000, {0, 1, 2});
     for (std::size_t i = 0; i < triangles.size(); i += 2) triangles[i] = {0, 2, 1};
     const auto counts = countFaults(findFaults(points, triangles));

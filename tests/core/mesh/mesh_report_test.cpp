@@ -23,11 +23,6 @@ PointSet pointsAround(std::vector<Vec3> position) {
     points.position = std::move(position);
     return points;
 }
-PointSet flat(std::vector<Vec3> position) {
-    PointSet points = pointsAround(std::move(position));
-    points.normal.assign(points.position.size(), Vec3(0, 0, 1));
-    return points;
-}
 PointSet tetrahedron() { return pointsAround({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}); }
 const Triangles kTetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
@@ -55,7 +50,7 @@ TEST_CASE("mesh: nothing at all is not closed") {
 }
 
 TEST_CASE("mesh: an open quad has one boundary loop of four edges") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}});
     const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 2, 3}});
     CHECK(r.boundaryEdges == 4);
     CHECK(r.boundaryLoops == 1);
@@ -67,7 +62,7 @@ TEST_CASE("mesh: an open quad has one boundary loop of four edges") {
 }
 
 TEST_CASE("mesh: two triangles at one point are a bow tie") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
     const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 3, 4}});
     CHECK(r.nonManifoldVertices == 1);
     CHECK(r.nonManifoldEdges == 0);
@@ -75,14 +70,14 @@ TEST_CASE("mesh: two triangles at one point are a bow tie") {
 }
 
 TEST_CASE("mesh: three triangles on an edge") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
     const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
     CHECK(r.nonManifoldEdges == 1);
     CHECK(r.inconsistentEdges == 1);
 }
 
 TEST_CASE("mesh: two triangles that pass their edge the same way are inconsistent") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
     CHECK(reportMesh(points, Triangles{{0, 1, 2}, {1, 0, 3}}).inconsistentEdges == 0);
     const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 1, 3}});
     CHECK(r.inconsistentEdges == 1);
@@ -93,13 +88,13 @@ TEST_CASE("mesh: two triangles that pass their edge the same way are inconsisten
 }
 
 TEST_CASE("mesh: a triangle against the normals of its corners is flipped") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(reportMesh(points, Triangles{{0, 1, 2}}).flippedTriangles == 0);
     CHECK(reportMesh(points, Triangles{{0, 2, 1}}).flippedTriangles == 1);
 }
 
 TEST_CASE("mesh: a corner twice or no area is degenerate") {
-    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
     CHECK(reportMesh(points, Triangles{{0, 1, 2}}).degenerateTriangles == 1);
     CHECK(reportMesh(points, Triangles{{0, 1, 1}}).degenerateTriangles == 1);
     CHECK(reportMesh(points, Triangles{{0, 1, 3}}).degenerateTriangles == 0);
@@ -113,7 +108,7 @@ TEST_CASE("mesh: components and loops are counted apart") {
         position.insert(position.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
         triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    const MeshReport r = reportMesh(flat(position), triangles);
+    const MeshReport r = reportMesh(pointsAt(position), triangles);
     CHECK(r.components == 3);
     CHECK(r.boundaryLoops == 3);
     CHECK(r.eulerCharacteristic == 3);
@@ -130,7 +125,7 @@ TEST_CASE("mesh: a ring of triangles has two boundary loops and Euler number 0")
         triangles.push_back({a, a + 1, b});
         triangles.push_back({a + 1, b + 1, b});
     }
-    const MeshReport r = reportMesh(flat(position), triangles);
+    const MeshReport r = reportMesh(pointsAt(position), triangles);
     CHECK(r.boundaryLoops == 2);
     CHECK(r.eulerCharacteristic == 0);
     CHECK(r.flippedTriangles == 0);

@@ -54,16 +54,11 @@ std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triang
     return all;
 }
 
+/// All list point 0, which lists point 1.
 PointSet flatFan(std::vector<Vec3> position) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), Vec3(0, 0, 1));
-    points.type.assign(points.size(), kInterior);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        const Index other = p == 0 ? 1 : 0;
-        points.neighbors.append(std::span(&other, 1));
-    }
-    return points;
+    std::vector<Points> lists(position.size(), Points{0});
+    lists[0] = {1};
+    return pointsAt(std::move(position), lists);
 }
 
 }  // namespace
@@ -154,12 +149,8 @@ namespace {
 /// The only failure of these triangles, of points without lists and normals: "" if there is none,
 /// "several" if there are more.
 std::string onlyFailure(std::vector<Vec3> position, const std::vector<Triangle>& triangles) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), Vec3(0));
-    points.type.assign(points.size(), kInterior);
-    points.neighbors.offset.assign(points.size() + 1, 0);
-    const auto found = seeAll(points, triangles);
+    const std::vector<Points> none(position.size());
+    const auto found = seeAll(pointsAt(std::move(position), none, Vec3(0)), triangles);
     if (found.size() > 1) return "several";
     return found.empty() ? "" : describe(found[0]);
 }
@@ -228,15 +219,12 @@ TEST_CASE("live: two triangles at a DONE point that share no edge there are more
 TEST_CASE("live: crossings are looked for up to a fixed amount of work") {
     // Slanted and parallel: all boxes meet, no two triangles do, but for the last.
     const auto complete = [](Index count) {
-        PointSet points;
+        std::vector<Vec3> position;
         for (Index i = 0; i < count; ++i) {
             const double z = 1e-4 * i;
-            points.position.insert(points.position.end(),
-                                   {{0, 0, z}, {1, 1, 1 + z}, {1, 0.5, 1 + z}});
+            position.insert(position.end(), {{0, 0, z}, {1, 1, 1 + z}, {1, 0.5, 1 + z}});
         }
-        points.normal.assign(points.size(), Vec3(0));
-        points.type.assign(points.size(), kInterior);
-        points.neighbors.offset.assign(points.size() + 1, 0);
+        const PointSet points = pointsAt(position, std::vector<Points>(3 * count), Vec3(0));
         LiveCheck check(points);
         for (Index i = 0; i < count; ++i) {
             const EmitEvidence made{i, {3 * i, 3 * i + 1, 3 * i + 2}};

@@ -24,10 +24,7 @@ PointSet crowd(std::size_t count, double extent, const Vec3& offset) {
         const double y = coordinate();
         position.push_back(offset + Vec3(x, y, coordinate()));
     }
-    PointSet points;
-    points.position = position;
-    points.normal.assign(count, Vec3(0, 0, 1));
-    return points;
+    return pointsAt(position);
 }
 
 /// Three points, the last two near the first one.

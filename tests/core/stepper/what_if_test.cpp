@@ -429,10 +429,7 @@ TEST_CASE("the traversal that continues on a stacked ring leaves its own on the 
 }
 
 TEST_CASE("points are edited in the order of the pivots, and not by lists of themselves") {
-    PointSet points;
-    points.position = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-    for (const Points& list : {Points{1, 2}, Points{0, 2}, Points{1, 0}})
-        points.neighbors.append(list);
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{1, 2}, {0, 2}, {1, 0}});
     Params params = paper();
     params.whatIf = {{WhatIfKind::Move, 20, Stage::Pivot, 1, Vec3(3, 0, 0), {}},
                      {WhatIfKind::Move, 10, Stage::Pivot, 2, Vec3(-0.5, 0, 0), {}},

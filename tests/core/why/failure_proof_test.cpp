@@ -162,13 +162,9 @@ TEST_CASE("inverse: the hole of four takes the point beyond it at every test") {
 
 TEST_CASE("inverse: a third point of a wall is taken off the list of the pivot") {
     // Figure 14: 2 joins the ring of 0 and 1 as the nearest point of the same wall.
-    PointSet points;
-    points.position = {{0, 0, 0}, {0.8, 0.2, 0}, {-1, 0.2, 0}, {-1, 1, 0}};
-    points.normal.assign(4, Vec3(0, 0, 1));
+    PointSet points =
+        pointsAt({{0, 0, 0}, {0.8, 0.2, 0}, {-1, 0.2, 0}, {-1, 1, 0}}, {{1, 2, 3}, {}, {}, {}});
     points.type = {kNegativeY, kNegativeY, kNegativeY, kInterior};
-    for (const Points& list : std::vector<Points>{{1, 2, 3}, {}, {}, {}})
-        points.neighbors.append(list);
-    REQUIRE(validate(points).ok());
     EventLog log;
     runAll(points, paper(), &log);
     const auto inserted = std::find_if(log.events().begin(), log.events().end(), [](const auto& e) {

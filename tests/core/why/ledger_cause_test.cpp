@@ -21,17 +21,6 @@ using namespace se::test;
 
 namespace {
 
-/// Points of the plane with normals up.
-PointSet inPlane(std::vector<Vec3> position, const std::vector<Points>& lists) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), Vec3(0, 0, 1));
-    points.type.assign(points.size(), kInterior);
-    for (const Points& list : lists) points.neighbors.append(list);
-    REQUIRE(validate(points).ok());
-    return points;
-}
-
 /// A point with six around it, each of which lists the others: pivot 1 makes all triangles, and
 /// pivots 2 to 7 are those around, whose neighbors are all in triangles already. `more` are points
 /// at `place` that only point 0 lists.
@@ -53,7 +42,7 @@ PointSet hexagon(const std::vector<Vec3>& more = {}) {
         lists.push_back({});
         position.push_back(x);
     }
-    return inPlane(std::move(position), lists);
+    return pointsAt(std::move(position), lists);
 }
 
 /// The number of the pivot at a point that is pivot once.
@@ -256,7 +245,7 @@ TEST_CASE("ledger: an edge has only tests at its own two pivots") {
 }
 
 TEST_CASE("ledger: two points that find only each other fell with the last fan of two") {
-    const PointSet points = inPlane({{0, 0, 0}, {1, 0, 0}}, {{1}, {0}});
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}}, {{1}, {0}});
     // After the seed 0, 1 made nothing, the seed 1, 0 is tried.
     CHECK(causeOf(points, Subject::edge(0, 1)) == "4.twopoint.1");
     // A point's own fans do not count: it is the pivot there.
@@ -280,8 +269,8 @@ TEST_CASE("ledger: a triangle that is there names its own emit, an edge the firs
 
 TEST_CASE("ledger: a triangle whose edges all have others fell with the last of these") {
     // Three triangles about 0 leave the one outside of them.
-    const PointSet points = inPlane({Vec3(0), polar(0), polar(120), polar(240)},
-                                    {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}});
+    const PointSet points = pointsAt({Vec3(0), polar(0), polar(120), polar(240)},
+                                     {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}});
     REQUIRE(runAll(points, paper()).state.triangles.size() == 3);
     CHECK(causeOf(points, Subject::triangle(1, 2, 3)) == "1.emit.3");
 }
@@ -289,7 +278,7 @@ TEST_CASE("ledger: a triangle whose edges all have others fell with the last of 
 TEST_CASE("ledger: of an edge that no pivot tested, who lists whom, and whether it was a pivot") {
     // 0 and 1 are on a wall and find no third point there: they are passed over.
     PointSet points =
-        inPlane({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 2, 0}}, {{1}, {0, 2}, {1, 0}, {}});
+        pointsAt({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 2, 0}}, {{1}, {0, 2}, {1, 0}, {}});
     points.type[0] = points.type[1] = kNegativeY;
     // Else 1 is UNUSED again, and 2 begins a ring with it.
     const Params params = paperBut(&Readings::keepSeeds);
@@ -364,7 +353,7 @@ TEST_CASE("ledger: a point that was taken out with its patch and put back names 
             return glm::length(position[a] - position[p]) < glm::length(position[b] - position[p]);
         });
     }
-    const PointSet points = inPlane(std::move(position), lists);
+    const PointSet points = pointsAt(std::move(position), lists);
     Params params = paperBut(&RobustRules::dropPatches);
     params.robust.reinsert = true;
     const State state = runAll(points, params).state;
@@ -391,7 +380,7 @@ TEST_CASE("ledger: a point that was taken out with its patch and put back names 
 
 TEST_CASE("ledger: a third point of a wall fell with the fan that it was inserted for") {
     // Figure 14 with 205 degrees at 0: the third point is taken back, and nothing is made.
-    PointSet points = inPlane({{0, 0, 0}, {0.8, -0.2, 0}, {-1, -0.2, 0}}, {{1, 2}, {}, {}});
+    PointSet points = pointsAt({{0, 0, 0}, {0.8, -0.2, 0}, {-1, -0.2, 0}}, {{1, 2}, {}, {}});
     for (Index p = 0; p < 3; ++p) points.type[p] = kNegativeY;
     REQUIRE(runAll(points, paper()).state.triangles.empty());
     CHECK(causeOf(points, Subject::edge(0, 1)) == "1.twopoint.1");

@@ -99,19 +99,16 @@ TEST_CASE("ring: a join makes one ring that came of what made either") {
 TEST_CASE("ring: rings of two seeds that join came of both") {
     // Two hexagons with the point 1 in common. The ring around the first waits on the shelf; the
     // fan at 7 takes 1 from it.
-    PointSet points;
-    points.position = {Vec3(0)};
-    for (int i = 0; i < 6; ++i) points.position.push_back(polar(60.0 * i));
-    points.position.emplace_back(2, 0, 0);
+    std::vector<Vec3> position{Vec3(0)};
+    for (int i = 0; i < 6; ++i) position.push_back(polar(60.0 * i));
+    position.emplace_back(2, 0, 0);
     for (const double degrees : {0.0, 60.0, 120.0, 240.0, 300.0})
-        points.position.push_back(Vec3(2, 0, 0) + polar(degrees));
-    points.normal.assign(points.size(), Vec3(0, 0, 1));
-    points.type.assign(points.size(), kInterior);
-    points.neighbors.append(Points{1, 2, 3, 4, 5, 6});
-    for (Index p = 1; p <= 6; ++p) points.neighbors.append(Points{0});
-    points.neighbors.append(Points{8, 9, 10, 1, 11, 12});
-    for (Index p = 8; p <= 12; ++p) points.neighbors.append(Points{7});
-    REQUIRE(validate(points).ok());
+        position.push_back(Vec3(2, 0, 0) + polar(degrees));
+    std::vector<Points> lists(7, Points{0});
+    lists[0] = {1, 2, 3, 4, 5, 6};
+    lists.resize(13, Points{7});
+    lists[7] = {8, 9, 10, 1, 11, 12};
+    const PointSet points = pointsAt(position, lists);
     const Params params = paperBut(&RobustRules::shelve);
 
     const auto history = whyRing(points, params, {{8, Stage::Join, 1}, 0});
