@@ -206,13 +206,6 @@ TEST_CASE("inspection: a border along the walls is no hole, one that leaves them
     CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}, {"openings", 1}});
 }
 
-TEST_CASE("inspection: a third triangle at an edge") {
-    PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
-    const Counts counts = countsOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
-    CHECK(counts.at("non_manifold_edges") == 1);
-    CHECK(counts.at("inconsistent_edges") == 1);
-}
-
 TEST_CASE("inspection: two fans at a point") {
     PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
     const std::vector<MeshFailure> failures = inspectMesh(points, Faces{{0, 1, 2}, {0, 3, 4}});
@@ -253,22 +246,11 @@ TEST_CASE("inspection: triangles without area, and slivers") {
     const PointSet points =
         positionsOnly({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.01, 0}, {1, 0.02, 0}});
     CHECK(countsOf(points, {{0, 1, 2}}).at("degenerate_triangles") == 1);
+    CHECK(countsOf(points, {{0, 1, 2}}).count("slivers") == 0);
     CHECK(countsOf(points, {{0, 1, 1}}).at("degenerate_triangles") == 1);
     // The least angles are atan(0.01) = 0.57 and atan(0.02) = 1.15 degrees.
     CHECK(countsOf(points, {{0, 2, 3}}).at("slivers") == 1);
     CHECK(countsOf(points, {{0, 2, 4}}).count("slivers") == 0);
-}
-
-TEST_CASE("inspection: a triangle through another, and one folded onto it") {
-    const PointSet points = positionsOnly({{0, 0, 0},
-                                           {2, 0, 0},
-                                           {0, 2, 0},
-                                           {0.5, 0.5, -1},
-                                           {0.5, 0.5, 1},
-                                           {3, 3, 0},
-                                           {0.1, 1.9, 0.01}});
-    CHECK(countsOf(points, {{0, 1, 2}, {3, 4, 5}}).at("intersecting_triangles") == 1);
-    CHECK(countsOf(points, {{0, 1, 2}, {1, 0, 6}}).at("folded_edges") == 1);
 }
 
 TEST_CASE("inspection: a height of a millionth of the longest edge makes a needle") {
@@ -462,20 +444,6 @@ TEST_CASE("inspection: a point that no mesh can have is not missing in it") {
     CHECK(countsOf(points, kOctahedron).empty());
     points.normal.back() = {1, 0, 0};
     CHECK(countsOf(points, kOctahedron) == Counts{{"lost_points", 1}});
-}
-
-TEST_CASE("inspection: a needle is no sliver as well") {
-    PointSet points = positionsOnly({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 0.01, 0}});
-    points.normal.assign(4, {0, 0, 1});
-    const auto count = [&](const Triangle& t, const char* kind) {
-        const Counts counts = countsOf(points, {t});
-        const auto found = counts.find(kind);
-        return found == counts.end() ? 0U : found->second;
-    };
-    CHECK(count({0, 1, 2}, "degenerate_triangles") == 1);
-    CHECK(count({0, 1, 2}, "slivers") == 0);
-    CHECK(count({0, 1, 3}, "degenerate_triangles") == 0);
-    CHECK(count({0, 1, 3}, "slivers") == 1);
 }
 
 TEST_CASE("inspection: a hole that has become smaller is still there") {

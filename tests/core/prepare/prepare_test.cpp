@@ -57,23 +57,6 @@ bool isSetAside(const PointSet& points, Index p) {
 
 }  // namespace
 
-TEST_CASE("findNeighbors: the k nearest are those that looking at all pairs finds") {
-    const OraclePoints points = makeRandom(400);
-    for (const std::size_t k : {1U, 2U, 12U, 40U, 399U, 5000U}) {
-        CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
-        CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
-    }
-}
-
-TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
-    const OraclePoints points = makeLattice(8);
-    for (const std::size_t k : {1U, 4U, 6U, 7U, 12U, 30U}) {
-        CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
-        CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
-    }
-    CHECK(find(points, nearest(3, false))[0] == std::vector<Index>{1, 8, 64});
-}
-
 TEST_CASE("symmetricLists: every entry has its inverse, nearest first, and none is lost") {
     // Dense on one side, sparse on the other: sparse points list dense ones that do not list them.
     OraclePoints points = makeRandom(400);
@@ -152,16 +135,6 @@ TEST_CASE("findNeighbors: none, one and two points") {
     CHECK(find(two, nearest(3, true)) == Lists{{}, {}});
 }
 
-TEST_CASE("findNeighbors: points at one place are no neighbors of each other") {
-    OraclePoints points{std::vector<Vec3>(30, Vec3(1)), std::vector<Vec3>(30, Vec3(0, 0, 1)),
-                        std::vector<bool>(30, true)};
-    CHECK(find(points, nearest(3, true)) == Lists(30));
-    points.position.emplace_back(2, 1, 1);
-    points.normal.emplace_back(0, 0, 1);
-    points.usable.push_back(true);
-    CHECK(find(points, nearest(3, true)) == bruteForce(points, nearest(3, true)));
-}
-
 TEST_CASE("findNeighbors: a move without rounding changes nothing") {
     OraclePoints points = makeRandom(600);
     constexpr double kUnit = 1.0 / 1048576.0;
@@ -172,43 +145,6 @@ TEST_CASE("findNeighbors: a move without rounding changes nothing") {
     for (Vec3& p : points.position) p += Vec3(1e6, -2e6, 3e6 + 5 * kUnit);
     CHECK(find(points, nearest(12, true)) == atOrigin);
     CHECK(find(points, within(64 * kUnit, false)) == reach);
-}
-
-TEST_CASE("findNeighbors: the order of the points changes names only") {
-    const OraclePoints points = makeRandom(300);
-    std::vector<Index> order(300);
-    std::iota(order.rbegin(), order.rend(), 0);
-    OraclePoints reversed;
-    for (const Index p : order) {
-        reversed.position.push_back(points.position[p]);
-        reversed.normal.push_back(points.normal[p]);
-        reversed.usable.push_back(points.usable[p]);
-    }
-    const Lists lists = find(points, nearest(10, true));
-    const Lists other = find(reversed, nearest(10, true));
-    for (Index p = 0; p < 300; ++p) {
-        std::vector<Index> named;
-        for (const Index q : other[p]) named.push_back(order[q]);
-        CHECK(named == lists[order[p]]);
-    }
-}
-
-TEST_CASE("findNeighbors: the search at a flipped normal examines the 8 k + 64 nearest only") {
-    OraclePoints points = makeRandom(500);
-    points.usable.assign(500, true);
-    points.normal.assign(500, Vec3(0, 0, 1));
-    points.normal[0] = Vec3(0, 0, -1);
-    Index agreeing = 0;  // the point farthest from point 0
-    for (Index p = 0; p < 500; ++p) {
-        const auto far = [&](Index q) {
-            return glm::distance(points.position[q], points.position[0]);
-        };
-        if (far(p) > far(agreeing)) agreeing = p;
-    }
-    points.normal[agreeing] = Vec3(0, 0, -1);
-    CHECK(find(points, nearest(3, true))[0].empty());
-    CHECK(find(points, nearest(60, true))[0] == std::vector<Index>{agreeing});
-    CHECK(find(points, nearest(3, true)) == bruteForce(points, nearest(3, true)));
 }
 
 TEST_CASE("findNeighbors: extreme but finite coordinates do not confuse it") {

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "spiraling_edge/run/event_text.h"
 #include "support/clouds.h"
 
 using namespace se;
@@ -25,15 +26,17 @@ TEST_CASE("Forward by decision passes every event of the run once, and back take
         const Params params = paramsByName(rules).value();
         const PointSet points = test::sceneNamed("long-lists");
         std::vector<std::string> expected{"start"};
-        for (const Event& event : test::eventsOf(points, params)) {
-            expected.push_back(toString(event.address));
-        }
+        for (const Event& event : test::eventsOf(points, params))
+            expected.push_back(toString(event.address) + describe(event));
         RunCursor cursor(points, params);
-        std::vector<std::string> places{placeOf(cursor)};
-        while (cursor.forward()) places.push_back(placeOf(cursor));
+        const auto here = [&] {
+            return placeOf(cursor) + (cursor.event() ? describe(*cursor.event()) : "");
+        };
+        std::vector<std::string> places{here()};
+        while (cursor.forward()) places.push_back(here());
         CHECK(places == expected);
         for (auto place = places.rbegin(); place != places.rend(); ++place) {
-            CHECK(placeOf(cursor) == *place);
+            CHECK(here() == *place);
             CHECK(cursor.back() == (*place != "start"));
         }
     }

@@ -34,13 +34,16 @@ std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, st
 }  // namespace
 
 TEST_CASE("Seeking every pivot from the last to the first gives the states of a straight run") {
-    for (const char* rules : {"paper", "robust"}) {
+    // The second run has alerts.
+    for (const auto& [scene, rules] :
+         {std::pair("linked-tori", "paper"), {"wrong-lists", "paper"}, {"linked-tori", "robust"}}) {
         const Params params = paramsByName(rules).value();
-        const PointSet points = test::sceneNamed("linked-tori");
+        const PointSet points = test::sceneNamed(scene);
         std::uint64_t end = 0;
         const auto hashes = straightHashes(points, end, params);
         // The second budget is far too small for more than a few keyframes.
         for (const std::size_t budget : {Timeline::defaultBudget(points), std::size_t{20'000}}) {
+            CAPTURE(scene);
             CAPTURE(rules);
             CAPTURE(budget);
             Timeline timeline(points, params, budget);
@@ -93,43 +96,6 @@ TEST_CASE("Keyframes stay within their budget, and their size is that of the rin
     CHECK(timeline.keyframeBytes() > kBudget / 4);
 }
 
-TEST_CASE("Jumping about gives the same states, triangles and alerts included") {
-    const PointSet points = test::sceneNamed("torus");
-    std::uint64_t end = 0;
-    const auto hashes = straightHashes(points, end);
-    Timeline timeline(points, Params{});
-    const auto count = static_cast<std::uint32_t>(hashes.size());
-    std::uint32_t place = 1;
-    for (int i = 0; i < 60; ++i) {
-        place = (place * 7919U + 104729U) % count;
-        timeline.seek(place);
-        CHECK(stateHash(timeline.state()) == hashes.at(place));
-    }
-}
-
-TEST_CASE("The events of a pivot are those of a straight run") {
-    const PointSet points = test::sceneNamed("sphere");
-    EventLog log;
-    Stepper stepper(points, Params{}, &log);
-    stepper.run();
-    std::map<std::uint32_t, std::vector<std::string>> expected;
-    for (const Event& event : log.events()) {
-        expected[event.address.pivot].push_back(toString(event.address) + describe(event));
-    }
-    Timeline timeline(points, Params{});
-    timeline.seek(kEnd);
-    for (const auto& [pivot, texts] : expected) {
-        const auto record = timeline.record(pivot);
-        std::vector<std::string> found;
-        for (const Event& event : record->events) {
-            found.push_back(toString(event.address) + describe(event));
-        }
-        REQUIRE(found == texts);
-    }
-    CHECK(timeline.lastPivot() == expected.rbegin()->first);
-    CHECK(timeline.record(0)->events.empty());
-}
-
 TEST_CASE("Events after the last pivot have a number of their own") {
     // Two points that list each other, and one that has an empty list and is stranded at the end.
     PointSet points;
@@ -166,23 +132,6 @@ TEST_CASE("A seek can be stopped and resumed") {
     CHECK(stateHash(timeline.state()) == hashes.at(timeline.position()));
     timeline.seek(kEnd);
     CHECK(stateHash(timeline.state()) == end);
-}
-
-TEST_CASE("Going back takes the alerts back, and going on brings them again") {
-    const PointSet points = test::sceneNamed("wrong-lists");
-    Timeline timeline(points, Params{});
-    timeline.seek(kEnd);
-    const std::vector<Alert> alerts = timeline.state().alerts;
-    REQUIRE_FALSE(alerts.empty());
-    for (std::size_t i = alerts.size(); i-- > 0;) {
-        timeline.seek(alerts[i].pivot - 1);
-        const auto before = std::count_if(alerts.begin(), alerts.end(), [&](const Alert& each) {
-            return each.pivot < alerts[i].pivot;
-        });
-        CHECK(timeline.state().alerts.size() == static_cast<std::size_t>(before));
-    }
-    timeline.seek(kEnd);
-    CHECK(timeline.state().alerts.size() == alerts.size());
 }
 
 TEST_CASE("A mesh that is edited at the end takes no keyframes from the pivots") {

@@ -105,8 +105,9 @@ TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossing
 
 namespace {
 
-/// Checks that the set gives an oriented manifold, and whether that is a sound mesh.
-void checkMesh(const std::string& name, bool isSound) {
+/// Checks that the set gives an oriented manifold, and whether that is a sound mesh, with this many
+/// borders.
+void checkMesh(const std::string& name, bool isSound, std::optional<std::size_t> borders = {}) {
     const auto points = shared(name);
     if (!points) return;
     const Run run = runAll(*points, robust());
@@ -114,39 +115,29 @@ void checkMesh(const std::string& name, bool isSound) {
     CHECK_MESSAGE(run.stop == StopReason::Finished, name);
     const std::string faults = describeFaults(*points, run.state.mesh());
     if (isSound) CHECK_MESSAGE(faults == "", name);
+    if (borders) {
+        CHECK_MESSAGE(run.mesh.boundaryLoops == *borders, name);
+        CHECK_MESSAGE(run.state.counters.holes == 0, name);
+    }
     MESSAGE(name, ": ", faults.empty() ? "sound" : faults);
 }
 
 }  // namespace
 
 TEST_CASE("robust: every shared set gives an oriented manifold, most of them a sound mesh") {
-    for (const char* name : {"sphere_even", "kitten", "torus_knot", "bunny_small", "elephant",
-                             "hippo", "blobs", "nefertiti", "three_peaks", "fandisk", "oni"})
-        checkMesh(name, true);
+    for (const char* name :
+         {"sphere_even", "kitten", "torus_knot", "bunny_small", "elephant", "fandisk"})
+        checkMesh(name, true, 0);
+    for (const char* name : {"nefertiti", "three_peaks"}) checkMesh(name, true, 1);
+    for (const char* name : {"hippo", "blobs", "oni"}) checkMesh(name, true);
     checkMesh("fin90", false);
 }
 
 TEST_CASE("robust: the large shared sets give an oriented manifold as well" *
           doctest::test_suite("long")) {
     checkMesh("armadillo", true);
-    checkMesh("sphere_noisy", true);
+    checkMesh("sphere_noisy", true, 0);
     checkMesh("mannequin_devil", false);
-}
-
-TEST_CASE("robust: sets without an opening come out closed, and faces and sheets with one border") {
-    struct Set {
-        const char* name;
-        std::size_t loops;
-    };
-    for (const Set& set : {Set{"sphere_even", 0}, Set{"kitten", 0}, Set{"torus_knot", 0},
-                           Set{"bunny_small", 0}, Set{"elephant", 0}, Set{"fandisk", 0},
-                           Set{"sphere_noisy", 0}, Set{"nefertiti", 1}, Set{"three_peaks", 1}}) {
-        const auto points = shared(set.name);
-        if (!points) return;
-        const Run run = runAll(*points, robust());
-        CHECK_MESSAGE(run.mesh.boundaryLoops == set.loops, set.name);
-        CHECK_MESSAGE(run.state.counters.holes == 0, set.name);
-    }
 }
 
 TEST_CASE("robust: the bunny keeps its five holes" * doctest::test_suite("long")) {

@@ -61,19 +61,6 @@ TEST_CASE("moments: touched first, then decided, then created") {
     }
 }
 
-TEST_CASE("moments: the hole of four was made by the point that was kept behind it") {
-    const FailureScene& each = failureScenes()[0];
-    REQUIRE(each.scene.id == "four-edge-hole");
-    const auto all = failuresOfRun(prepared(each.scene.build()), paper());
-    REQUIRE(all.ok());
-    for (const auto& [failure, position, corners, moments] : all.value()) {
-        if (failure.kind->name != each.failure || failure.triangles.back() != 196) continue;
-        CHECK(toString(moments.created.event.address) == "54.emit.1");
-        CHECK(toString(moments.decided.event.address) == each.address);
-        CHECK(testedPoint(moments.decided.event) == 63);
-    }
-}
-
 TEST_CASE("moments: a cancelled search") {
     const PointSet points = prepared(failureScenes()[0].scene.build());
     for (const double end : {0.0, 0.5}) {
