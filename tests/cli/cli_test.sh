@@ -1094,11 +1094,6 @@ fault_fields_are_columns_of_a_ply_alone() {
     head -c 2000 fields.ply | grep -aq "^property .* scalar_se_distance" || fail "no column of distances"
     head -c 2000 plain.ply | grep -aq "scalar_se_fault" && fail "columns without the option"
     [ "$(number points_in_no_triangle report.json)" -gt 0 ] || fail "the scene has no unused point"
-    # Read again they are columns like others: kept, and made again where they are wanted.
-    expect 0 run fields.ply -q -o kept.ply
-    head -c 2000 kept.ply | grep -aq "scalar_se_distance" || fail "the columns are not kept"
-    expect 0 run fields.ply -q -o again.ply --fault-fields
-    is "$(head -c 2000 again.ply | grep -ac scalar_se_fault)" 1 "columns of faults"
     expect 0 run scene:stranded-point -q -o used.ply --fault-fields --used-points
     "$program" run scene:stranded-point -q --fault-fields -o - | cmp - fields.ply || fail "-o - writes another PLY"
     for kind in stl obj off glb; do
@@ -1114,13 +1109,6 @@ off_is_plain_unless_normals_are_asked_for() {
     is "$(head -1 plain.off)" OFF "keyword"
     expect 0 run scene:sphere -q -o full.off --normals
     is "$(head -1 full.off)" NOFF "keyword with --normals"
-    expect 0 info full.off
-    says out "normals    yes"
-    for kind in ply obj glb; do
-        expect 0 run scene:sphere -q -o plain.$kind
-        expect 0 run scene:sphere -q -o full.$kind --normals
-        cmp -s plain.$kind full.$kind || fail "--normals changes $kind"
-    done
     expect 2 run scene:sphere -o mesh.stl --normals
     says err "this format cannot hold normals"
     absent mesh.stl

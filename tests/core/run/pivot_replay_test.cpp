@@ -172,18 +172,9 @@ TEST_CASE("Ring events change the ring one by one into that after the pivot") {
     CHECK(compared > 60);
 }
 
-TEST_CASE("Triangles appear one by one") {
-    Timeline timeline(test::sceneNamed("sphere"), Params{});
-    const auto record = timeline.record(30);
-    const std::size_t emit = indexOf(*record, Stage::Emit);
-    REQUIRE(emit < record->events.size());
-    CHECK(PivotReplay(record).after(emit - 1).newTriangles.empty());
-    CHECK(PivotReplay(record).after(emit).newTriangles.size() == 1);
-    CHECK(PivotReplay(record).after(emit + 1).newTriangles.size() == 2);
-}
-
 TEST_CASE("Candidates are marked from their first test on, and stay crossed once rejected") {
     Timeline timeline(test::sceneNamed("sphere"), Params{});
+    std::size_t ever = 0;
     for (std::uint32_t pivot = 1; pivot <= 60; ++pivot) {
         const auto record = timeline.record(pivot);
         std::size_t known = 0;
@@ -198,7 +189,9 @@ TEST_CASE("Candidates are marked from their first test on, and stay crossed once
             CHECK(crossed >= rejected);
             rejected = crossed;
         }
+        ever += rejected;
     }
+    CHECK(ever > 0);
 }
 
 TEST_CASE("A seed shows a ring of two, and the pivot its first and last") {
@@ -238,24 +231,11 @@ TEST_CASE("The state before an event is that after the event before it") {
     const std::size_t emit = indexOf(*record, Stage::Emit);
     CHECK(PivotReplay(record).before(emit).newTriangles.empty());
     CHECK(PivotReplay(record).before(emit + 1).newTriangles.size() == 1);
+    CHECK(PivotReplay(record).after(emit + 1).newTriangles.size() == 2);
     const DecisionState first = PivotReplay(record).before(0);
     CHECK_FALSE(first.event.has_value());
     CHECK(first.pivot == kNone);
     CHECK(first.status == record->before.status);
-}
-
-TEST_CASE("A refused candidate keeps its cross until the pivot ends") {
-    Timeline timeline(test::sceneNamed("sphere"), Params{});
-    const auto record = timeline.record(30);
-    const auto crosses = [&](std::size_t i) {
-        const DecisionState state = PivotReplay(record).after(i);
-        return std::count_if(
-            state.candidates.begin(), state.candidates.end(),
-            [](const CandidateMark& m) { return m.state == CandidateState::Rejected; });
-    };
-    const std::size_t emit = indexOf(*record, Stage::Emit);
-    REQUIRE(crosses(emit) > 0);
-    CHECK(crosses(record->events.size() - 2) == crosses(emit));
 }
 
 TEST_CASE("The end of a run has as many triangles as its mesh") {

@@ -93,9 +93,3 @@ TEST_CASE("6.4 fans turn counterclockwise about the pivot's normal on well-sampl
         CHECK_MESSAGE(against * 100 <= run.state.triangles.size(), family.name);
     }
 }
-
-TEST_CASE("equal input gives equal triangles") {
-    const PointFile file = closedFamilies(0.5)[1].sample(3);
-    CHECK(runAll(prepared(file), paper()).state.triangles ==
-          runAll(prepared(file), paper()).state.triangles);
-}

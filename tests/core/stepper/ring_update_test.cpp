@@ -14,9 +14,6 @@ std::vector<Vec3> doubledBay() {
     return {{0, 0, 0},      {1, 0.2, 0},   {-1, 0.2, 0},   {-9, -9, 0}, {9, -9, 0}, {1.1, 1.2, 0},
             {-1.1, 1.2, 0}, {0.3, 1.2, 0}, {-0.3, 1.2, 0}, {0, 20, 0},  {20, 1, 0}, {20, 2, 0}};
 }
-Rig& figure11(Rig& rig) {
-    return rig.list(0, {5, 6, 7, 8}).stacked({1, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
-}
 
 /// p = 0 faces north; e = 5 is there between 6 (before) and 7, with p in its free sector.
 std::vector<Vec3> oppositeEntry() {
@@ -26,11 +23,17 @@ std::vector<Vec3> oppositeEntry() {
 
 }  // namespace
 
-TEST_CASE("6.5 the pivot leaves the ring: DONE if it stood there once") {
+TEST_CASE("6.5 Figure 11: the pivot, points before start and after end leave, the rest enters") {
     Rig rig(doubledBay());
-    figure11(rig);
+    rig.list(0, {5, 6, 7, 8}).stacked({1, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
     CHECK(rig.status(0) == kDone);
     CHECK(rig.state().rings.firstEntryOf(0) == kNone);
+    CHECK(rig.status(1) == 1);      // first: it was on two rings.
+    CHECK(rig.status(2) == kDone);  // last: now surrounded.
+    CHECK(rig.stackedRing() == Points{1, 10, 11});
+    // Counterclockwise between start and end, from the end on, which is the new pivot.
+    CHECK(rig.activeRing() == Points{6, 3, 4, 5, 7, 8});
+    for (const Index p : {5U, 6U, 7U, 8U}) CHECK(rig.status(p) == 1);
 }
 
 TEST_CASE("6.5 a pivot with two entries loses one and stays USED") {
@@ -39,33 +42,7 @@ TEST_CASE("6.5 a pivot with two entries loses one and stays USED") {
     CHECK(rig.triangles() == Triangles{{0, 1, 7}, {0, 7, 2}});
     CHECK(rig.status(0) == 1);
     CHECK(rig.stackedRing() == Points{0, 10, 11});
-}
-
-TEST_CASE("6.5 Figure 11: points before start and after end leave, one step down each") {
-    Rig rig(doubledBay());
-    figure11(rig);
-    CHECK(rig.status(1) == 1);      // first: it was on two rings.
-    CHECK(rig.status(2) == kDone);  // last: now surrounded.
-    CHECK(rig.stackedRing() == Points{1, 10, 11});
-}
-
-TEST_CASE("6.5 Figure 11: the rest enters counterclockwise between start and end, now USED") {
-    Rig rig(doubledBay());
-    figure11(rig);
-    CHECK(rig.activeRing() == Points{6, 3, 4, 5, 7, 8});
-    CHECK(rig.status(7) == 1);
-    CHECK(rig.status(8) == 1);
-    CHECK(rig.status(5) == 1);
-    CHECK(rig.status(6) == 1);
-}
-
-TEST_CASE("6.5 the new pivot is the end of the neighbor ring") {
-    Rig moved(doubledBay());
-    figure11(moved);
-    CHECK(moved.activeRing()[0] == 6);
-    Rig still(doubledBay());
-    still.list(0, {7}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
-    CHECK(still.activeRing()[0] == 2);
+    CHECK(rig.activeRing()[0] == 2);  // End did not move: last is the new pivot.
 }
 
 TEST_CASE("6.4 without triangles the next point on the ring becomes the pivot") {
@@ -208,6 +185,14 @@ std::vector<Vec3> bayWithMouthPoint() {
 }
 const Points kBayOfFour{0, 1, 2, 3, 4, 2, 5};
 
+/// Of each finished edge that was closed: its points, and how many are left on the ring.
+std::vector<Points> closedBy(const Rig& rig) {
+    std::vector<Points> all;
+    for (const CloseEvidence& each : rig.all<CloseEvidence>())
+        all.push_back({each.a, each.b, each.rest});
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("6.1, 6.5 an entry between two entries of one point is a finished edge, and is closed") {
@@ -217,11 +202,7 @@ TEST_CASE("6.1, 6.5 an entry between two entries of one point is a finished edge
     CHECK(rig.activeRing() == Points{3, 4, 2});  // 1 and one entry of 2 are gone; 3 is next.
     CHECK(rig.status(1) == kDone);
     CHECK(rig.status(2) == 1);
-    const std::vector<CloseEvidence> closed = rig.all<CloseEvidence>();
-    REQUIRE(closed.size() == 1);
-    CHECK(closed[0].a == 1);
-    CHECK(closed[0].b == 2);
-    CHECK(closed[0].rest == 3);
+    CHECK(closedBy(rig) == std::vector<Points>{{1, 2, 3}});
 }
 
 TEST_CASE("6.5 closing a finished edge also closes the one that becomes adjacent") {
@@ -233,14 +214,7 @@ TEST_CASE("6.5 closing a finished edge also closes the one that becomes adjacent
     CHECK(rig.triangles() == Triangles{{0, 5, 2}, {0, 2, 1}});
     CHECK(rig.activeRing() == Points{3, 4, 6});
     for (const Index point : {1, 2}) CHECK(rig.status(point) == kDone);
-    const std::vector<CloseEvidence> closed = rig.all<CloseEvidence>();
-    REQUIRE(closed.size() == 2);
-    CHECK(closed[0].a == 1);
-    CHECK(closed[0].b == 2);
-    CHECK(closed[0].rest == 5);
-    CHECK(closed[1].a == 2);
-    CHECK(closed[1].b == 6);
-    CHECK(closed[1].rest == 3);
+    CHECK(closedBy(rig) == std::vector<Points>{{1, 2, 5}, {2, 6, 3}});
 }
 
 TEST_CASE("6.5 closing a finished edge also closes the one that begins where it ended") {
@@ -306,39 +280,24 @@ TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
     CHECK(rig.status(1) == 1);
 }
 
-TEST_CASE("6.5 where end is removed with a closed ring, the last inserted point is next") {
-    // 5 follows last = 2 on the ring, where it is convex; its other entry keeps it there.
+TEST_CASE(
+    "6.5 where end is removed with a closed ring, the last inserted point that is left is next") {
+    // 5 follows last = 2 on the ring, where it is convex; its other entry keeps it there. 8 lies
+    // between first and 5.
     const Vec3 e(1.5, 0.5, 0);
-    Rig rig({{0, 0, 0},
-             polar(0),
-             polar(200),
-             {0, 9, 0},
-             e + polar(198.7, 9),
-             e,
-             {20, 1, 0},
-             {20, 2, 0}});
-    rig.list(0, {5}).stacked({5, 6, 7}).ring({0, 2, 5, 4, 3, 1}).pivot();
-    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
-    CHECK(rig.state().counters.closedRings == 1);
-    CHECK(rig.status(2) == kDone);
-    CHECK(rig.activeRing() == Points{5, 4, 3, 1});
-}
-
-TEST_CASE("6.5 of several inserted points the last that is left is next") {
-    // As above, with 8 between first and 5.
-    const Vec3 e(1.5, 0.5, 0);
-    Rig rig({{0, 0, 0},
-             polar(0),
-             polar(200),
-             {0, 9, 0},
-             e + polar(198.7, 9),
-             e,
-             {20, 1, 0},
-             {20, 2, 0},
-             polar(9, 1.2)});
-    rig.list(0, {5, 8}).stacked({5, 6, 7}).ring({0, 2, 5, 4, 3, 1}).pivot();
-    CHECK(rig.triangles() == Triangles{{0, 1, 8}, {0, 8, 5}, {0, 5, 2}});
-    CHECK(rig.activeRing() == Points{5, 4, 3, 1, 8});
+    const std::vector<Vec3> position{{0, 0, 0},           polar(0), polar(200), {0, 9, 0},
+                                     e + polar(198.7, 9), e,        {20, 1, 0}, {20, 2, 0},
+                                     polar(9, 1.2)};
+    for (const bool several : {false, true}) {
+        Rig rig(position);
+        rig.list(0, several ? Points{5, 8} : Points{5}).stacked({5, 6, 7}).ring({0, 2, 5, 4, 3, 1});
+        rig.pivot();
+        CHECK(rig.triangles() == (several ? Triangles{{0, 1, 8}, {0, 8, 5}, {0, 5, 2}}
+                                          : Triangles{{0, 1, 5}, {0, 5, 2}}));
+        CHECK(rig.state().counters.closedRings == 1);
+        CHECK(rig.status(2) == kDone);
+        CHECK(rig.activeRing() == (several ? Points{5, 4, 3, 1, 8} : Points{5, 4, 3, 1}));
+    }
 }
 
 TEST_CASE("7 a freed ring with interior points is reported as a hole") {

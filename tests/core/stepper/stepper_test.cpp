@@ -74,22 +74,6 @@ TEST_CASE("runUntil stops between two pivots, where the condition holds") {
     CHECK(stepper.runUntil([](const State&) { return false; }) == StopReason::Finished);
 }
 
-TEST_CASE("a run with a log equals one without") {
-    for (const Scene& scene : scenes()) {
-        if (scene.id.substr(0, 6) != "figure") continue;
-        const PointSet points = prepared(scene.build());
-        EventLog log;
-        const Params params = withStartOf(scene, paper());
-        Stepper with(points, params, &log);
-        Stepper without(points, params);
-        do {
-            CHECK(stateHash(with.state()) == stateHash(without.state()));
-            with.advance();
-        } while (without.advance());
-        CHECK_FALSE(log.events().empty());
-    }
-}
-
 TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
     const PointSet points = sceneNamed("figure-12");
     Stepper straight(points, paper());
