@@ -1620,15 +1620,6 @@ compare_finds_the_first_difference() {
     says out "  A  200.reciprocal.1   taken "
     says out "  B  200.reciprocal.1   refused "
     says out "1 region of difference"
-    # Every address is one of the trace of that run.
-    expect 0 run scene:torus --rule freesector=off --trace trace.txt -q
-    "$program" compare scene:torus --with --rule freesector=off |
-        sed -n 's/^  B  \([0-9]*[.][a-z]*[.][0-9]*\) .*/\1/p; s/.* B \([0-9]*[.]emit[.][0-9]*\) .*/\1/p' >addresses
-    is "$(wc -l <addresses)" 3 "addresses of B"
-    cut -f1 trace.txt >known
-    while read -r address; do
-        grep -qxF "$address" known || fail "$address is not in the trace"
-    done <addresses
     # B is A except for what is given: other rules, other neighbors; quoted as well as not.
     expect 1 compare scene:torus --rules robust -k 10 --with "--rules corrected -r 0.3" --json
     says out '"title": "--rules robust --neighbors 10"'
@@ -1698,6 +1689,7 @@ compare_checks_its_arguments() {
 reduce_keeps_what_fails() {
     expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
     [ "$(header_count vertex small.ply)" -lt 30 ] || fail "not small: $(cat err)"
+    grep -q "stopped early" err && fail "it did not stop early: $(cat err)"
     expect 0 run small.ply -q -o mesh.ply
     expect 1 check mesh.ply --points small.ply --json
     [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it no longer fails"
@@ -1785,13 +1777,8 @@ reduce_stops_after_its_effort() {
     says err "stopped early, after 40 million tests"
     says err "--effort 400"
     [ "$(header_count vertex some.ply)" -le 400 ] || fail "more points than before"
-    expect 0 reduce t.ply --neighbors 60 --failure holes --effort 40 -o again.ply
-    cmp -s some.ply again.ply || fail "not the same bytes"
     SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it no longer fails"
     says out "still fails: holes"
-    # With enough effort the result is as small as it gets, and nothing is reported.
-    expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
-    grep -q "stopped early" err && fail "it did not stop early: $(cat err)"
     expect 2 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply --effort 0
 }
 

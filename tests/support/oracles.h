@@ -32,6 +32,13 @@ class Random : public SplitMix {
     }
 };
 
+/// A unit vector at this angle to another one, by chance about it.
+inline Vec3 tilted(const Vec3& normal, double degrees, Random& random) {
+    const Vec3 across = glm::normalize(glm::cross(normal, random.direction()));
+    const double angle = degrees * kPi / 180.0;
+    return std::cos(angle) * normal + std::sin(angle) * across;
+}
+
 /// Point of the plane z = 0 at an angle from the x axis.
 inline Vec3 polar(double degrees, double radius = 1.0) {
     return {radius * std::cos(degrees * kPi / 180.0), radius * std::sin(degrees * kPi / 180.0), 0};

@@ -219,31 +219,6 @@ TEST_CASE("facts are checked against the run: numbers of the mesh, rules, angles
               "facts: points: B: there is no second run"));
 }
 
-TEST_CASE("sentences of lessons that were false are found") {
-    // As they stood, with the claim that each of them made.
-    const auto claimed = [](const std::string& toml, const std::string& claim) {
-        return stepCheck(toml + "\nfacts = [[\"Text\", \"" + claim + "\"]]");
-    };
-    const std::string figure4 =
-        "input = \"scene:figure-4\"\nat = \"1.limits.5\"\ncompare = \"--rule limits=off\"";
-    CHECK(has(claimed(figure4, "B intersecting_triangles: > A"), "it is 0"));
-    CHECK(has(claimed(figure4, "B at=1 stage=sphere kept point=8: 1"), "it is 0"));
-    const std::string stranded = "input = \"scene:stranded-point\"";
-    CHECK(has(claimed(stranded, "stage=sphere refused point=32: 3"), "it is 2"));
-    const std::string sparse = "input = \"scene:sparse-spot\"\ncompare = \"--neighbors 24\"";
-    CHECK(has(claimed(sparse, "boundary_loops: > 0"), "it is 0"));
-    CHECK(has(claimed(sparse, "second_layers: < B"), "it is 4"));
-    const std::string torus = "input = \"scene:torus\"\ncompare = \"--rule next=start\"";
-    CHECK(has(claimed(torus, "lost_points: 0"), "it is 2"));
-    CHECK(has(claimed(torus, "lost_points: B"), "it is 2"));
-    const std::string spiral = "input = \"scene:figure-2\"\ncompare = \"--rule sphere=off\"";
-    CHECK(has(claimed(spiral, "B thin_triangles: > 59"), "it is 13"));
-    CHECK(has(claimed(spiral, "stage=skip: 0"), "it is 62"));
-    const std::string fan = "compare = [\"--what-if\", \"9.sphere keep 46\"]";
-    CHECK(has(claimed(fan, "B at=9 stage=emit: 6"), "it is 5"));
-    CHECK(has(claimed(fan, "angle p q s: < 15"), "it is 47"));
-}
-
 TEST_CASE("a wrong typed answer is found, a right one is not") {
     CHECK(checkedText(figure8Question("\"refused\"")) == "good");
     CHECK(checkedText(figure8Question("[\"q\"]")) == "good");

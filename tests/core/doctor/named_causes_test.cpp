@@ -80,13 +80,6 @@ TEST_CASE("doctor: the five shapes as they are have no cause with a name" *
 
 namespace {
 
-/// A unit vector at this angle to another one, by chance about it.
-Vec3 tilted(const Vec3& normal, double degrees, Random& random) {
-    const Vec3 across = glm::normalize(glm::cross(normal, random.direction()));
-    const double angle = degrees * std::numbers::pi / 180.0;
-    return std::cos(angle) * normal + std::sin(angle) * across;
-}
-
 void plantTilt(PointFile& file, std::size_t strength, Random& random) {
     constexpr std::array kDegrees{20.0, 30.0, 45.0};
     for (Vec3& n : file.normal) n = tilted(n, kDegrees[strength], random);

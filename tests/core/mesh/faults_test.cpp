@@ -80,28 +80,33 @@ TEST_CASE("faults: none on a sphere, and none at its border") {
     CHECK(findFaults(points, open).empty());
 }
 
-TEST_CASE("faults: an edge of three triangles") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
-    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}, {1, 0, 4}});
-    const auto edges = ofKind(faults, FaultKind::NonManifoldEdge);
-    CHECK(edges == Faults{{FaultKind::NonManifoldEdge, 0, 1}, {FaultKind::NonManifoldEdge, 0, 2}});
-    CHECK(countFaults(faults)[0] == 2);
-}
-
-TEST_CASE("faults: an edge passed twice in one direction") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
-    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {0, 1, 3}});
-    CHECK(ofKind(faults, FaultKind::InconsistentEdge) ==
-          Faults{{FaultKind::InconsistentEdge, 0, 1}});
-    CHECK(ofKind(findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}}), FaultKind::InconsistentEdge)
-              .empty());
-}
-
-TEST_CASE("faults: a triangle with a corner twice or without an area") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
-    CHECK(findFaults(points, Triangles{{0, 1, 2}}) == Faults{{FaultKind::Degenerate, 0, kNone}});
-    CHECK(ofKind(findFaults(points, Triangles{{0, 1, 3}, {1, 3, 3}}), FaultKind::Degenerate) ==
-          Faults{{FaultKind::Degenerate, 1, kNone}});
+TEST_CASE("faults: each kind is found on two or three triangles") {
+    using enum FaultKind;
+    const PointSet fan = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    const PointSet line = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+    const PointSet cross =
+        pointsAt({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {2, 1, -1}, {1, 1, 1}});
+    struct Row {
+        const PointSet& points;
+        Triangles triangles;
+        FaultKind kind;
+        Faults faults;
+    };
+    for (const Row& row :
+         {Row{fan,
+              {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}},
+              NonManifoldEdge,
+              {{NonManifoldEdge, 0, 1}, {NonManifoldEdge, 0, 2}}},
+          {fan, {{0, 1, 2}, {0, 1, 3}}, InconsistentEdge, {{InconsistentEdge, 0, 1}}},
+          {fan, {{0, 1, 2}, {0, 1, 3}}, Folded, {}},
+          {fan, {{0, 1, 2}, {1, 0, 3}}, InconsistentEdge, {}},
+          {line, {{0, 1, 2}}, Degenerate, {{Degenerate, 0, kNone}}},
+          {line, {{0, 1, 3}, {1, 3, 3}}, Degenerate, {{Degenerate, 1, kNone}}},
+          {cross, {{0, 1, 2}, {3, 4, 5}}, Intersecting, {{Intersecting, 0, 1}}}}) {
+        CAPTURE(row.triangles);
+        CAPTURE(static_cast<int>(row.kind));
+        CHECK(ofKind(findFaults(row.points, row.triangles), row.kind) == row.faults);
+    }
 }
 
 TEST_CASE("faults: a triangle against the sum of its normals, not against one of them") {
@@ -110,13 +115,6 @@ TEST_CASE("faults: a triangle against the sum of its normals, not against one of
     CHECK(findFaults(points, Triangles{{0, 1, 2}}).empty());
     points.normal[1] = {0, 0, -1};
     CHECK(findFaults(points, Triangles{{0, 1, 2}}) == Faults{{FaultKind::Flipped, 0, kNone}});
-}
-
-TEST_CASE("faults: two triangles that cross") {
-    const PointSet points =
-        pointsAt({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {2, 1, -1}, {1, 1, 1}});
-    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {3, 4, 5}});
-    CHECK(ofKind(faults, FaultKind::Intersecting) == Faults{{FaultKind::Intersecting, 0, 1}});
 }
 
 TEST_CASE("faults: two triangles at an edge within ten degrees of each other are folded") {
@@ -290,13 +288,6 @@ TEST_CASE("faults: a triangle over many cells crosses a small one like any other
     const std::vector<Fault> expected = bruteIntersections(points, triangles);
     CHECK(expected.size() == 1);
     CHECK(ofKind(findFaults(points, triangles), FaultKind::Intersecting) == expected);
-}
-
-TEST_CASE("faults: triangles that pass their edge the same way are not folded as well") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
-    const std::vector<Fault> faults = findFaults(points, Triangles{{0, 1, 2}, {0, 1, 3}});
-    CHECK(ofKind(faults, FaultKind::InconsistentEdge).size() == 1);
-    CHECK(ofKind(faults, FaultKind::Folded).empty());
 }
 
 TEST_CASE("faults: a triangle without area meets none, and none is folded onto it") {

@@ -157,44 +157,40 @@ std::string onlyFailure(std::vector<Vec3> position, const std::vector<Triangle>&
 
 }  // namespace
 
-TEST_CASE("live: a crossing is reported for the later triangle, however large one of them is") {
+TEST_CASE("live: a fault is told of the later triangle, at the limits of the inspection") {
+    struct Row {
+        std::vector<Vec3> position;
+        Triangles triangles;
+        const char* told;
+    };
     // The large one lies over more cells than are kept.
-    const std::vector<Vec3> position{{0, 0, 0},    {99, 0, 0},   {0, 99, 0},
+    const std::vector<Vec3> crossing{{0, 0, 0},    {99, 0, 0},   {0, 99, 0},
                                      {20, 20, -1}, {21, 20, -1}, {20, 20, 1}};
-    const Triangle large{0, 1, 2};
-    const Triangle small{3, 4, 5};
     const char* const crosses = "Triangle 1 overlaps 0: they share more than their common corners.";
-    CHECK(onlyFailure(position, {large, small}) == crosses);
-    CHECK(onlyFailure(position, {small, large}) == crosses);
-}
-
-TEST_CASE("live: a needle is reported, and nothing else about it") {
-    const std::vector<Vec3> position{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+    const std::vector<Vec3> inLine{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
     const char* const needle = "Triangle 0 is a needle, or has a corner twice.";
-    CHECK(onlyFailure(position, {{0, 1, 2}}) == needle);
-    CHECK(onlyFailure(position, {{0, 1, 1}}) == needle);
-    CHECK(onlyFailure(position, {{0, 1, 3}}).empty());
-}
-
-TEST_CASE("live: two triangles within ten degrees of each other at their edge are folded") {
     const auto foldedAt = [](double degrees) {
         const Vec3 tip = polar(180 - degrees);
-        return onlyFailure({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {tip.x, 0, tip.y}},
-                           {{0, 1, 2}, {1, 0, 3}});
-    };
-    CHECK(foldedAt(9.9) == "Triangle 1 lies folded onto 0.");
-    CHECK(foldedAt(10.1).empty());
-}
-
-TEST_CASE("live: a triangle close over another one that faces the same way is a second layer") {
-    const auto layerAt = [](double height) {
-        return onlyFailure(
-            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, height}, {1, 0, height}, {0, 1, height}},
-            {{0, 1, 2}, {3, 4, 5}});
+        return std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {tip.x, 0, tip.y}};
     };
     // Half of the mean edge length is 0.569.
-    CHECK(layerAt(0.56) == "Triangle 1 is a second layer of 0.");
-    CHECK(layerAt(0.58).empty());
+    const auto layerAt = [](double z) {
+        return std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, z}, {1, 0, z}, {0, 1, z}};
+    };
+    const Triangles apart{{0, 1, 2}, {3, 4, 5}};
+    const Triangles beside{{0, 1, 2}, {1, 0, 3}};
+    for (const Row& row : {Row{crossing, apart, crosses},
+                           {crossing, {{3, 4, 5}, {0, 1, 2}}, crosses},
+                           {inLine, {{0, 1, 2}}, needle},
+                           {inLine, {{0, 1, 1}}, needle},
+                           {inLine, {{0, 1, 3}}, ""},
+                           {foldedAt(9.9), beside, "Triangle 1 lies folded onto 0."},
+                           {foldedAt(10.1), beside, ""},
+                           {layerAt(0.56), apart, "Triangle 1 is a second layer of 0."},
+                           {layerAt(0.58), apart, ""}}) {
+        CAPTURE(row.triangles);
+        CHECK(onlyFailure(row.position, row.triangles) == row.told);
+    }
 }
 
 TEST_CASE("live: two triangles at a DONE point that share no edge there are more than one fan") {

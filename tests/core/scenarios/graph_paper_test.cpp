@@ -98,7 +98,7 @@ std::function<Place(const Cell&)> sheared(double by) {
     return [by](const Cell& c) { return Place{{c.x + by * c.y, c.y, 0}, {0, 0, 1}}; };
 }
 /// A plane that no axis is parallel to.
-Place tilted(const Cell& c) {
+Place slanted(const Cell& c) {
     const Vec3 u = glm::normalize(Vec3(2, 1, 0.5));
     const Vec3 n = glm::normalize(glm::cross(u, Vec3(0.3, -1, 2)));
     return {double(c.x) * u + double(c.y) * glm::cross(n, u), n};
@@ -159,7 +159,7 @@ TEST_CASE("graph paper: sheared, tilted and long grids") {
             for (const double by : {0.1, 0.25}) {
                 checkGrid(pointsAt(order.of(rectangle(n, n)), sheared(by)), trianglesOf(n, n));
             }
-            checkGrid(pointsAt(order.of(rectangle(n, n)), tilted), trianglesOf(n, n));
+            checkGrid(pointsAt(order.of(rectangle(n, n)), slanted), trianglesOf(n, n));
             checkGrid(pointsAt(order.of(rectangle(n, 4)), flat), trianglesOf(n, 4));
         }
     }
