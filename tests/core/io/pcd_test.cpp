@@ -92,10 +92,6 @@ TEST_CASE("PCD: a color with a sign has the same bits as one without") {
     }
 }
 
-TEST_CASE("PCD: the kind is found by the content, whatever the name") {
-    CHECK(readPoints(kHead + "DATA ascii\n" + kRows, "a.txt").ok());
-}
-
 TEST_CASE("PCD: errors name the line or byte, and what to do") {
     CHECK(errorOf(kHead + "DATA ascii\n1 2 3 0 0 1 0\n").find("1 of 2 points") !=
           std::string::npos);

@@ -253,8 +253,8 @@ TEST_CASE("Files: what is none of the known kinds is refused with a list of thos
     for (const char* bytes : {"solid cube\n", "hello", "ply", "\n\n", "#\n", "\xef\xbb\xbf"}) {
         const std::string error = errorOf(bytes, "x.bin");
         CHECK(contains(error, "x.bin: is of no known kind. PLY"));
-        CHECK(contains(error, "XYZ"));
-        CHECK(contains(error, "OBJ, OFF and PCD"));
+        CHECK(contains(error, "OBJ, OFF and PCD can be read; convert it"));
+        for (const PointFormat& format : pointFormats()) CHECK(contains(error, format.details));
     }
     CHECK(contains(errorOf(std::string(100, '\0')), "no known kind"));
 }
@@ -307,15 +307,4 @@ TEST_CASE("Formats of points: found by each of their extensions, in upper or low
         CAPTURE(other);
         CHECK(pointFormatOf(other) == nullptr);
     }
-}
-
-TEST_CASE("Formats of points: a file of no known kind is refused with all that can be read") {
-    const Result<PointFile> read = readPoints("what is this", "a.doc");
-    REQUIRE_FALSE(read.ok());
-    const std::string& message = read.error().message;
-    for (const PointFormat& format : pointFormats()) {
-        CHECK(message.find(format.name) != std::string::npos);
-        CHECK(message.find(format.details) != std::string::npos);
-    }
-    CHECK(message.find("OBJ, OFF and PCD can be read; convert it") != std::string::npos);
 }

@@ -51,16 +51,6 @@ TEST_CASE("every kind of evidence has a sentence") {
     }
 }
 
-TEST_CASE("every verdict and alert has a name of its own") {
-    std::set<std::string_view> names;
-    const auto count = static_cast<std::size_t>(Verdict::NoThirdPoint) + 1;
-    for (std::size_t i = 0; i < count; ++i) names.insert(verdictText(static_cast<Verdict>(i)));
-    CHECK(names.size() == count);
-    CHECK(names.count("") == 0);
-    CHECK(alertName(AlertKind::Hole) != alertName(AlertKind::LostSeed));
-    CHECK_FALSE(alertName(AlertKind::TriangleCap).empty());
-}
-
 TEST_CASE("events are numbered from 1 within stage and pivot, in order, each address once") {
     EventLog log;
     const PointSet points = prepared(closedFamilies(0.35)[1].sample(1));

@@ -39,25 +39,28 @@ TEST_CASE("flip: the diagonal of a flat quad that makes the least angle larger")
     CHECK(m.flipped == 1);
 }
 
-TEST_CASE("flip: not the better diagonal, and none of an exact square") {
-    RepairState good = beginRepair(4, kSquare);
-    CHECK(flipAll(flatPoints({{-1, 0, 0}, {0, -3, 0}, {1, 0, 0}, {0, 3, 0}}), good) == 0);
-    RepairState even = beginRepair(4, kSquare);
-    CHECK(flipAll(flatPoints(square()), even) == 0);
-}
-
-TEST_CASE("flip: not for angles where the surface bends") {
-    // The long diagonal is a ridge of 60 degrees.
-    PointSet points = flatPoints({{-3, 0, 0.6}, {0, -1, 0}, {3, 0, 0.6}, {0, 1, 0}});
-    RepairState m = beginRepair(4, kSquare);
-    CHECK(flipAll(points, m) == 0);
-}
-
-TEST_CASE("flip: not the edge of a quad that is not convex") {
-    // A dart: its other diagonal lies outside.
-    const PointSet points = flatPoints({{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}});
-    RepairState m = beginRepair(4, kSquare);
-    CHECK(flipAll(points, m) == 0);
+TEST_CASE("flip: none where the diagonal is better, or the other one would be a fault") {
+    const std::vector<Vec3> rhombus{{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}};
+    std::vector<Vec3> with = rhombus;
+    with.insert(with.end(), {{1, 5, 0}, {-1, 5, 0}});
+    struct Row {
+        const char* what;
+        std::vector<Vec3> position;
+        Triangles triangles;
+    };
+    for (const Row& row :
+         {Row{"the better diagonal", {{-1, 0, 0}, {0, -3, 0}, {1, 0, 0}, {0, 3, 0}}, kSquare},
+          {"an exact square", square(), kSquare},
+          {"a ridge of 60 degrees", {{-3, 0, 0.6}, {0, -1, 0}, {3, 0, 0.6}, {0, 1, 0}}, kSquare},
+          {"a dart, which is not convex", {{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}}, kSquare},
+          {"a thin tetrahedron, which has the other diagonal",
+           rhombus,
+           {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}}},
+          {"a point of two fans", with, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}}}}) {
+        CAPTURE(row.what);
+        RepairState m = beginRepair(row.position.size(), row.triangles);
+        CHECK(flipAll(flatPoints(row.position), m) == 0);
+    }
 }
 
 TEST_CASE("flip: removes a flipped triangle") {
@@ -69,23 +72,6 @@ TEST_CASE("flip: removes a flipped triangle") {
     CHECK(flipAll(points, m) == 1);
     CHECK(asSet(m.triangles) == asSet({{0, 3, 2}, {3, 1, 2}}));
     CHECK(findFaults(points, m.triangles).empty());
-}
-
-TEST_CASE("flip: never makes an edge that is there already") {
-    // A thin tetrahedron: each edge's other diagonal is the opposite edge.
-    PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
-    RepairState m = beginRepair(4, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}});
-    REQUIRE(manifoldFault(m) == "");
-    CHECK(flipAll(points, m) == 0);
-}
-
-TEST_CASE("flip: no edge at a point of two fans") {
-    // The rhombus that would be flipped, with a triangle attached at one of its points.
-    PointSet points =
-        flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 5, 0}, {-1, 5, 0}});
-    RepairState m = beginRepair(6, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}});
-    CHECK(m.pinched[3]);
-    CHECK(flipAll(points, m) == 0);
 }
 
 TEST_CASE(
