@@ -35,6 +35,14 @@ inline const Finding* findingOf(const Diagnosis& diagnosis, const std::string& n
     return nullptr;
 }
 
+/// The finding of this name, which there must be.
+inline Finding findingIn(const PointFile& file, const std::string& name) {
+    const Diagnosis diagnosis = examined(file);
+    const Finding* finding = findingOf(diagnosis, name);
+    REQUIRE_MESSAGE(finding != nullptr, name);
+    return *finding;
+}
+
 /// Checks that the finding of this name has these points, and that there is no other problem.
 inline void checkAlone(const PointFile& file, const std::string& name,
                        const std::vector<Index>& points, Severity severity) {

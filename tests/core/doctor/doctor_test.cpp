@@ -494,12 +494,10 @@ TEST_CASE("doctor: close_sheets is a warning from half of the points on, else a 
             file.position.push_back(file.position[static_cast<std::size_t>(i)] + Vec3(0, 0, 0.3));
             file.normal.emplace_back(0, 0, -1);
         }
-        const Diagnosis diagnosis = examined(file);
-        const Finding* finding = findingOf(diagnosis, "close_sheets");
-        REQUIRE(finding != nullptr);
-        CHECK(finding->points.size() == static_cast<std::size_t>(20 * rows));
+        const Finding finding = findingIn(file, "close_sheets");
+        CHECK(finding.points.size() == static_cast<std::size_t>(20 * rows));
         // Two for each point of the second sheet, of 10 * (10 + rows).
-        CHECK(finding->isProblem() == (4 * rows >= 10 + rows));
+        CHECK(finding.isProblem() == (4 * rows >= 10 + rows));
     }
 }
 

@@ -195,10 +195,8 @@ TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
     file.normal.push_back(Vec3(1, 0, 0));
     file.normal[5] = -file.normal[5];
     CHECK(applyFixes(file).fixes.empty());
-    const Diagnosis diagnosis = examined(file);
-    const Finding* stray = findingOf(diagnosis, "isolated_points");
-    REQUIRE(stray != nullptr);
-    const FixedFile fixed = applyFixes(file, stray->points);
+    const Finding stray = findingIn(file, "isolated_points");
+    const FixedFile fixed = applyFixes(file, stray.points);
     CHECK(repairsOf(fixed) == std::map<std::string, std::size_t>{{"dropped", 1}});
     CHECK(problemNames(fixed.file) == "flipped_normals ");
 }

@@ -143,11 +143,10 @@ TEST_CASE("doctor: normals that do not fit are found, with their kind, in 95 of 
 TEST_CASE("doctor: normals that were read as unsigned numbers are recognized") {
     for (std::size_t strength = 0; strength < 3; ++strength) {
         for (const PointFile& shape : shapes(2)) {
-            const Diagnosis diagnosis = examined(withNormals(shape, plantBytes, strength));
-            const Finding* finding = findingOf(diagnosis, "unfit_normals");
-            REQUIRE(finding != nullptr);
-            CHECK(finding->text.ends_with(strength == 0 ? "they fit as 2 v / 255 - 1"
-                                                        : "they fit as 2 v - 1"));
+            const Finding finding =
+                findingIn(withNormals(shape, plantBytes, strength), "unfit_normals");
+            CHECK(finding.text.ends_with(strength == 0 ? "they fit as 2 v / 255 - 1"
+                                                       : "they fit as 2 v - 1"));
         }
     }
 }
@@ -170,10 +169,8 @@ TEST_CASE("doctor: rough normals are a note, and still tell flipped ones") {
     PointFile file = fibonacciSphere(600);
     Random random(4);
     for (Vec3& n : file.normal) n = tilted(n, 17.5, random);
-    const Diagnosis rough = examined(file);
-    const Finding* finding = findingOf(rough, "unfit_normals");
-    REQUIRE(finding != nullptr);
-    CHECK(finding->severity == Severity::Note);
+    const Finding finding = findingIn(file, "unfit_normals");
+    CHECK(finding.severity == Severity::Note);
     turn(file, [&](Index p) { return file.position[p].z > 0.6; });
     CHECK(problemNames(file) == "flipped_normals ");
 }
@@ -332,14 +329,12 @@ TEST_CASE("doctor: pairs are thinned to one point of each, and a sound mesh foll
     PointFile file = fibonacciSphere(600);
     Random random(2);
     plantPairs(file, 1, random);
-    const Diagnosis diagnosis = examined(file);
-    const Finding* finding = findingOf(diagnosis, "twins");
-    REQUIRE(finding != nullptr);
-    CHECK(finding->points.size() == 1200);
-    CHECK(finding->toDrop().size() == 600);
-    CHECK(finding->text.ends_with("leaves 600 points"));
-    CHECK(remedyFor(*finding, "a.ply") == "spiraling-edge doctor a.ply --fix OUT.ply --drop twins");
-    const PointFile thinned = applyFixes(file, finding->toDrop()).file;
+    const Finding finding = findingIn(file, "twins");
+    CHECK(finding.points.size() == 1200);
+    CHECK(finding.toDrop().size() == 600);
+    CHECK(finding.text.ends_with("leaves 600 points"));
+    CHECK(remedyFor(finding, "a.ply") == "spiraling-edge doctor a.ply --fix OUT.ply --drop twins");
+    const PointFile thinned = applyFixes(file, finding.toDrop()).file;
     CHECK(problemNames(thinned) == "");
     const PointSet points = prepared(thinned);
     CHECK(runAll(points, robust()).state.mesh().size() == 1196);
@@ -405,16 +400,14 @@ TEST_CASE("doctor: lines are thinned to a surface that can be followed") {
             file.normal.push_back(glm::normalize(Vec3(0.0, -0.02 * std::cos(y), 1.0)));
         }
     }
-    const Diagnosis diagnosis = examined(file);
-    const Finding* finding = findingOf(diagnosis, "lines");
-    REQUIRE(finding != nullptr);
-    CHECK(finding->text.starts_with(
+    const Finding finding = findingIn(file, "lines");
+    CHECK(finding.text.starts_with(
         "the points lie in lines: 0.02 apart along them, and 0.2 across; --thin 0.18 leaves "));
-    CHECK(remedyFor(*finding, "a.ply") ==
+    CHECK(remedyFor(finding, "a.ply") ==
           "spiraling-edge doctor a.ply --fix OUT.ply --drop lines --force");
-    const FixedFile fixed = applyFixes(file, finding->toDrop());
+    const FixedFile fixed = applyFixes(file, finding.toDrop());
     const PointSet points = prepared(fixed.file);
-    CHECK(points.size() == file.position.size() - finding->toDrop().size());
+    CHECK(points.size() == file.position.size() - finding.toDrop().size());
     CHECK(describeFaults(points, runAll(points, robust()).state.mesh()) == "");
 }
 
@@ -577,14 +570,12 @@ TEST_CASE("doctor: kilometers beside meters are no degrees, though both make a s
             hills.position.push_back(origin +
                                      Vec3(x, y, 150.0 * std::sin(2.0 * x) * std::cos(1.5 * y)));
         }
-        const Diagnosis diagnosis = examined(hills);
-        const Finding* finding = findingOf(diagnosis, "mixed_units");
-        REQUIRE(finding != nullptr);
+        const Finding finding = findingIn(hills, "mixed_units");
         // Where gentle hills can be either, both are said.
-        const bool isFirst = remedyFor(*finding, "a.xyz") ==
+        const bool isFirst = remedyFor(finding, "a.xyz") ==
                              "spiraling-edge run a.xyz --scale-by 1,1,0.001 -o OUT.ply";
-        CHECK((isFirst || finding->text.find("if they are kilometers beside meters: --scale-by "
-                                             "1,1,0.001") != std::string::npos));
+        CHECK((isFirst || finding.text.find("if they are kilometers beside meters: --scale-by "
+                                            "1,1,0.001") != std::string::npos));
         if (origin == Vec3(0.0) || origin.x > 180.0) CHECK(isFirst);
     }
 }
@@ -592,23 +583,19 @@ TEST_CASE("doctor: kilometers beside meters are no degrees, though both make a s
 TEST_CASE("doctor: heights in feet beside meters are recognized by normals that fit in one unit") {
     PointFile file = fibonacciSphere(1500);
     for (Vec3& x : file.position) x.z /= 0.3048;
-    const Diagnosis diagnosis = examined(file);
-    const Finding* finding = findingOf(diagnosis, "unfit_normals");
-    REQUIRE(finding != nullptr);
+    const Finding finding = findingIn(file, "unfit_normals");
     CHECK(
-        finding->text.ends_with("they fit the points in one unit: --scale-by 1,1,0.3048 "
-                                "--derive-normals"));
+        finding.text.ends_with("they fit the points in one unit: --scale-by 1,1,0.3048 "
+                               "--derive-normals"));
 }
 
 TEST_CASE("doctor: units without a conversion that makes a surface have advice alone") {
     PointFile file = inDegrees(fibonacciSphere(600));
     for (Vec3& x : file.position) x.x += 300.0;
-    const Diagnosis diagnosis = examined(file);
-    const Finding* finding = findingOf(diagnosis, "mixed_units");
-    REQUIRE(finding != nullptr);
-    CHECK_FALSE(finding->hasRemedy());
-    CHECK(remedyFor(*finding, "a.xyz").empty());
-    CHECK(finding->text.ends_with(" with equal spans"));
+    const Finding finding = findingIn(file, "mixed_units");
+    CHECK_FALSE(finding.hasRemedy());
+    CHECK(remedyFor(finding, "a.xyz").empty());
+    CHECK(finding.text.ends_with(" with equal spans"));
 }
 
 TEST_CASE("doctor: an extreme size is noted, with a power of two that robust works with as usual") {
@@ -623,11 +610,9 @@ TEST_CASE("doctor: an extreme size is noted, with a power of two that robust wor
     CHECK(findingOf(examined(usual), "extreme_size") == nullptr);
     for (const int power : {-500, -120, 120, 500}) {
         const PointFile extreme = scaled(usual, Vec3(std::ldexp(1.0, power)));
-        const Diagnosis diagnosis = examined(extreme);
-        const Finding* finding = findingOf(diagnosis, "extreme_size");
-        REQUIRE(finding != nullptr);
-        CHECK(finding->severity == Severity::Note);
-        CHECK(meshOf(scaled(extreme, *finding->scale)) == meshOf(usual));
+        const Finding finding = findingIn(extreme, "extreme_size");
+        CHECK(finding.severity == Severity::Note);
+        CHECK(meshOf(scaled(extreme, *finding.scale)) == meshOf(usual));
     }
 }
 

@@ -125,11 +125,9 @@ TEST_CASE("doctor: the distance of two layers and the noise are those planted") 
     CHECK(apart->points.size() > 5000);
     // The spacing of both layers together is smaller: 0.71.
     CHECK(apart->text.find("about 0.7") != std::string::npos);
-    const Diagnosis noisy = examined(planted({1, 0.0, 0.2, 0.0}));
-    const Finding* noise = findingOf(noisy, "noise");
-    REQUIRE(noise != nullptr);
-    CHECK(noise->severity == Severity::Note);
-    CHECK(noise->text.starts_with("noise of 0.1"));
+    const Finding noise = findingIn(planted({1, 0.0, 0.2, 0.0}), "noise");
+    CHECK(noise.severity == Severity::Note);
+    CHECK(noise.text.starts_with("noise of 0.1"));
     const Diagnosis coarse = examined(planted({1, 0.0, 0.45, 0.0}));
     REQUIRE(findingOf(coarse, "noise") != nullptr);
     CHECK(findingOf(coarse, "noise")->severity == Severity::Warning);
@@ -137,14 +135,12 @@ TEST_CASE("doctor: the distance of two layers and the noise are those planted") 
 
 TEST_CASE("doctor: two layers are dropped down to one surface, and a sound mesh follows") {
     const PointFile layered = planted({1, 0.5, 0.0, 0.0});
-    const Diagnosis before = examined(layered);
-    const Finding* finding = findingOf(before, "two_layers");
-    REQUIRE(finding != nullptr);
-    CHECK(finding->toDrop().size() < finding->points.size());
-    const FixedFile fixed = applyFixes(layered, finding->toDrop(), finding->dropReason);
+    const Finding finding = findingIn(layered, "two_layers");
+    CHECK(finding.toDrop().size() < finding.points.size());
+    const FixedFile fixed = applyFixes(layered, finding.toDrop(), finding.dropReason);
     REQUIRE(fixed.fixes.size() == 1);
     CHECK(fixed.fixes[0].text ==
-          std::to_string(finding->toDrop().size()) + " of " +
+          std::to_string(finding.toDrop().size()) + " of " +
               std::to_string(layered.position.size()) +
               " points dropped: the rest are 4.5 times the thickness of the layers apart");
     const PointFile& single = fixed.file;
@@ -163,11 +159,9 @@ TEST_CASE("doctor: of two layers with a gap between them one is dropped") {
     for (const int shape : {0, 1}) {
         for (const double apart : {0.4, 0.8}) {
             const PointFile layered = planted({shape, apart, 0.0, 0.0});
-            const Diagnosis diagnosis = examined(layered);
-            const Finding* finding = findingOf(diagnosis, "two_layers");
-            REQUIRE(finding != nullptr);
+            const Finding finding = findingIn(layered, "two_layers");
             std::size_t dropped[2] = {};
-            for (const Index p : finding->toDrop()) ++dropped[p < kPoints ? 0 : 1];
+            for (const Index p : finding.toDrop()) ++dropped[p < kPoints ? 0 : 1];
             CAPTURE(apart);
             CHECK(std::max(dropped[0], dropped[1]) > 0.995 * kPoints);
             CHECK(std::min(dropped[0], dropped[1]) < kPoints);

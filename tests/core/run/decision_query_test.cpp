@@ -30,9 +30,8 @@ FoundDecisions found(const PointSet& points, const char* line, std::size_t limit
 
 TEST_CASE("query: an empty line finds every event of the run") {
     const PointSet points = prepared(closedFamilies()[0].sample(1));
-    EventLog log;
-    runAll(points, paper(), &log);
-    CHECK(found(points, "").total == log.events().size());
+    const std::vector<Event> events = eventsOf(points, paper());
+    CHECK(found(points, "").total == events.size());
     CHECK(found(points, "  ", 5).lines.size() == 5);
 }
 

@@ -27,10 +27,9 @@ std::filesystem::path goldenFile(const std::string& name) {
 
 /// The log of a run, of the given pivots only if there are any.
 std::string logOf(const PointSet& points, const std::vector<std::uint32_t>& pivots = {}) {
-    EventLog log;
-    runAll(points, paper(), &log);
+    const std::vector<Event> events = eventsOf(points, paper());
     std::string text;
-    for (const Event& event : log.events()) {
+    for (const Event& event : events) {
         const auto chosen = std::find(pivots.begin(), pivots.end(), event.address.pivot);
         if (!pivots.empty() && chosen == pivots.end()) continue;
         text += toString(event.address) + '\t' + describe(event) + '\n';

@@ -13,6 +13,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/rig.h"
+#include "support/subjects.h"
 
 using namespace se;
 using namespace se::test;
@@ -21,9 +22,8 @@ namespace {
 
 /// The failure of this class whose decision is the one that the gallery names.
 bool leadsTo(const FailureScene& each) {
-    const auto all = failuresOfRun(prepared(each.scene.build()), paper());
-    REQUIRE(all.ok());
-    for (const RunFailure& found : all.value()) {
+    const std::vector<RunFailure> all = failuresOf(prepared(each.scene.build()), paper());
+    for (const RunFailure& found : all) {
         if (found.failure.kind->name != each.failure) continue;
         const std::uint32_t pivot = addressFromString(each.address)->pivot;
         const auto& at = found.moments.decided.event.address;
@@ -49,9 +49,8 @@ TEST_CASE("moments: touched first, then decided, then created") {
         for (const FailureScene& each : failureScenes()) {
             CAPTURE(set);
             CAPTURE(each.scene.id);
-            const auto all = failuresOfRun(prepared(each.scene.build()), params);
-            REQUIRE(all.ok());
-            for (const auto& [failure, position, corners, moments] : all.value()) {
+            const std::vector<RunFailure> all = failuresOf(prepared(each.scene.build()), params);
+            for (const auto& [failure, position, corners, moments] : all) {
                 CAPTURE(describe(failure));
                 const auto pivot = [](const LedgerLine& line) { return line.event.address.pivot; };
                 CHECK(pivot(moments.touched) <= pivot(moments.decided));
@@ -74,11 +73,10 @@ TEST_CASE("moments: the failures of a run are those of its mesh, in the same ord
         CAPTURE(scene);
         const PointSet points = prepared(findScene(scene)->build());
         const Run run = runAll(points, paper());
-        const auto all = failuresOfRun(points, paper());
-        REQUIRE(all.ok());
+        const std::vector<RunFailure> all = failuresOf(points, paper());
         const std::vector<MeshFailure> inMesh = inspectMesh(points, run.state.mesh());
         std::size_t next = 0;
-        for (const RunFailure& each : all.value()) {
+        for (const RunFailure& each : all) {
             if (each.failure.kind->find == nullptr) continue;
             REQUIRE(next < inMesh.size());
             CHECK(each.failure.points == inMesh[next++].points);
@@ -95,12 +93,11 @@ TEST_CASE("moments: a ring that is left over is a failure of the run, with the p
     const std::vector<std::vector<Index>> lists{{1}, {0}, {3, 4}, {2, 4}, {2, 3}};
     for (const auto& list : lists) file.neighbors.append(list);
     const PointSet points = prepared(std::move(file));
-    const auto all = failuresOfRun(points, paperBut(&Readings::keepSeeds));
-    REQUIRE(all.ok());
-    const auto left = std::find_if(all.value().begin(), all.value().end(), [](const auto& each) {
+    const std::vector<RunFailure> all = failuresOf(points, paperBut(&Readings::keepSeeds));
+    const auto left = std::find_if(all.begin(), all.end(), [](const auto& each) {
         return each.failure.kind->name == "leftover_rings";
     });
-    REQUIRE(left != all.value().end());
+    REQUIRE(left != all.end());
     CHECK(left->failure.points == std::vector<Index>{0, 1});
     CHECK(std::holds_alternative<FreeEvidence>(left->moments.created.event.evidence));
     CHECK(left->moments.touched.event.address.pivot <= left->moments.created.event.address.pivot);
@@ -111,11 +108,10 @@ TEST_CASE("moments: as many rings are left over as the run has alerts of them") 
         CAPTURE(each.scene.id);
         const PointSet points = prepared(each.scene.build());
         const Run run = runAll(points, paper());
-        const auto all = failuresOfRun(points, paper());
-        REQUIRE(all.ok());
-        const auto rings = std::count_if(
-            all.value().begin(), all.value().end(),
-            [](const RunFailure& f) { return f.failure.kind->name == "leftover_rings"; });
+        const std::vector<RunFailure> all = failuresOf(points, paper());
+        const auto rings = std::count_if(all.begin(), all.end(), [](const RunFailure& f) {
+            return f.failure.kind->name == "leftover_rings";
+        });
         CHECK(static_cast<std::size_t>(rings) == run.state.alerts.size());
     }
 }
@@ -134,12 +130,11 @@ TEST_CASE("moments: a point that no test ever saw was lost with the last of its 
     lists.append(mine);
     file.neighbors = std::move(lists);
     const PointSet points = prepared(std::move(file));
-    const auto all = failuresOfRun(points, paper());
-    REQUIRE(all.ok());
-    const auto lost = std::find_if(all.value().begin(), all.value().end(), [&](const auto& each) {
+    const std::vector<RunFailure> all = failuresOf(points, paper());
+    const auto lost = std::find_if(all.begin(), all.end(), [&](const auto& each) {
         return each.failure.points == std::vector<Index>{lone};
     });
-    REQUIRE(lost != all.value().end());
+    REQUIRE(lost != all.end());
     const auto* ring = std::get_if<RingEvidence>(&lost->moments.decided.event.evidence);
     REQUIRE(ring != nullptr);
     CHECK(ring->status < 0);
@@ -151,9 +146,8 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
     for (const FailureScene& each : failureScenes()) {
         CAPTURE(each.scene.id);
         const PointSet points = prepared(each.scene.build());
-        const auto all = failuresOfRun(points, paper());
-        REQUIRE(all.ok());
-        for (const RunFailure& failure : all.value()) {
+        const std::vector<RunFailure> all = failuresOf(points, paper());
+        for (const RunFailure& failure : all) {
             // Two corners that are the same point are no choice between candidates.
             if (failure.corners.empty() || failure.failure.kind->name == "degenerate_triangles")
                 continue;

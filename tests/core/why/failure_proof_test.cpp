@@ -165,12 +165,11 @@ TEST_CASE("inverse: a third point of a wall is taken off the list of the pivot")
     PointSet points =
         pointsAt({{0, 0, 0}, {0.8, 0.2, 0}, {-1, 0.2, 0}, {-1, 1, 0}}, {{1, 2, 3}, {}, {}, {}});
     points.type = {kNegativeY, kNegativeY, kNegativeY, kInterior};
-    EventLog log;
-    runAll(points, paper(), &log);
-    const auto inserted = std::find_if(log.events().begin(), log.events().end(), [](const auto& e) {
+    const std::vector<Event> events = eventsOf(points, paper());
+    const auto inserted = std::find_if(events.begin(), events.end(), [](const auto& e) {
         return std::holds_alternative<InsertEvidence>(e.evidence);
     });
-    REQUIRE(inserted != log.events().end());
+    REQUIRE(inserted != events.end());
     REQUIRE(std::get<InsertEvidence>(inserted->evidence).third == 2);
     const auto inverse = inverseOf(points, lineOf(*inserted, {points, paper(), 0}));
     REQUIRE(inverse.has_value());

@@ -15,6 +15,7 @@
 #include "support/oracles.h"
 #include "support/random_points.h"
 #include "support/rig.h"
+#include "support/subjects.h"
 
 using namespace se;
 using namespace se::test;
@@ -47,10 +48,9 @@ PointSet hexagon(const std::vector<Vec3>& more = {}) {
 
 /// The number of the pivot at a point that is pivot once.
 std::uint32_t pivotAt(const PointSet& points, Index p) {
-    EventLog log;
-    runAll(points, paper(), &log);
+    const std::vector<Event> events = eventsOf(points, paper());
     std::uint32_t number = 0;
-    for (const Event& event : log.events()) {
+    for (const Event& event : events) {
         const auto* pivot = std::get_if<PivotEvidence>(&event.evidence);
         if (pivot == nullptr || pivot->pivot != p) continue;
         REQUIRE(number == 0);
@@ -85,13 +85,11 @@ Index laterOf(const PointSet& points, Index a, Index b) {
 
 /// The only failure of a class, with its moments.
 RunFailure failureAt(const PointSet& points, std::string_view kind, const Points& at) {
-    const auto all = failuresOfRun(points, paper());
-    REQUIRE(all.ok());
-    const auto found =
-        std::find_if(all.value().begin(), all.value().end(), [&](const RunFailure& each) {
-            return each.failure.kind->name == kind && each.failure.points == at;
-        });
-    REQUIRE(found != all.value().end());
+    const std::vector<RunFailure> all = failuresOf(points, paper());
+    const auto found = std::find_if(all.begin(), all.end(), [&](const RunFailure& each) {
+        return each.failure.kind->name == kind && each.failure.points == at;
+    });
+    REQUIRE(found != all.end());
     return *found;
 }
 
@@ -197,11 +195,10 @@ TEST_CASE(
     for (const std::uint64_t seed : {26, 41}) {
         CAPTURE(seed);
         const PointSet points = randomPoints(seed);
-        EventLog log;
-        runAll(points, params, &log);
+        const std::vector<Event> events = eventsOf(points, params);
         std::set<Index> taken;         // by some entry, at this pivot
         std::set<Index> refusedAgain;  // of these, by a later entry
-        for (const Event& event : log.events()) {
+        for (const Event& event : events) {
             if (isA<PivotEvidence>(event)) {
                 taken.clear();
                 refusedAgain.clear();
@@ -306,10 +303,9 @@ TEST_CASE(
         Random random(seed);
         for (Vec3& x : file.position) x += 0.08 * random.inCube();
         const PointSet points = prepared(file);
-        EventLog log;
-        runAll(points, params, &log);
+        const std::vector<Event> events = eventsOf(points, params);
         std::size_t asked = 0;
-        for (const Event& event : log.events()) {
+        for (const Event& event : events) {
             const auto* flip = std::get_if<FlipEvidence>(&event.evidence);
             if (flip == nullptr || ++asked > 40) continue;
             const Ledger ledger = ledgerOf(points, Subject::edge(flip->u, flip->v), params);
@@ -399,11 +395,9 @@ TEST_CASE("moments: a point that start or end moved past fell with the first mov
         Random random(seed);
         for (Vec3& x : file.position) x += 0.12 * random.inCube();
         const PointSet points = prepared(file, reach(16));
-        EventLog log;
-        runAll(points, paper(), &log);
-        const auto all = failuresOfRun(points, paper());
-        REQUIRE(all.ok());
-        for (const RunFailure& each : all.value()) {
+        const std::vector<Event> events = eventsOf(points, paper());
+        const std::vector<RunFailure> all = failuresOf(points, paper());
+        for (const RunFailure& each : all) {
             if (each.failure.kind->name != "lost_points") continue;
             const Event& cause = each.moments.decided.event;
             const auto* dropped = std::get_if<DropEvidence>(&cause.evidence);
@@ -414,7 +408,7 @@ TEST_CASE("moments: a point that start or end moved past fell with the first mov
             CAPTURE(toString(cause.address));
             CHECK(move->verdict == Verdict::Moved);
             const DropEvidence* drop = nullptr;
-            for (const Event& event : log.events()) {
+            for (const Event& event : events) {
                 if (event.address.pivot != cause.address.pivot) continue;
                 const auto* e = std::get_if<DropEvidence>(&event.evidence);
                 if (e != nullptr && e->point == each.failure.points[0]) drop = e;
@@ -427,7 +421,7 @@ TEST_CASE("moments: a point that start or end moved past fell with the first mov
                                               : e.toDegrees <= drop->degrees);
             };
             CHECK(passes(*move));
-            for (const Event& event : log.events()) {
+            for (const Event& event : events) {
                 if (event.address.pivot != cause.address.pivot) continue;
                 const auto* e = std::get_if<LimitEvidence>(&event.evidence);
                 if (e != nullptr && event.address.n < cause.address.n) CHECK_FALSE(passes(*e));

@@ -100,12 +100,11 @@ TEST_CASE("closest calls: where a third point of 7 is first or last, angles begi
 TEST_CASE("closest calls: the least margin of a point is that of all its tests, near either side") {
     const PointSet points = prepared(closedFamilies(0.3)[0].sample(4));
     const Params params = paper();
-    EventLog log;
-    runAll(points, params, &log);
+    const std::vector<Event> events = eventsOf(points, params);
     std::vector<double> least(points.size(), std::numeric_limits<double>::infinity());
     Index pivot = kNone;
     std::size_t refused = 0;
-    for (const Event& event : log.events()) {
+    for (const Event& event : events) {
         if (const auto* e = std::get_if<PivotEvidence>(&event.evidence)) pivot = e->pivot;
         const auto reading = readingOf(event, {points, params, pivot});
         const Index p = testedPoint(event);

@@ -161,10 +161,9 @@ TEST_CASE("run comparison: the harmless difference is the first decision made di
     REQUIRE(found.harmless);
     REQUIRE(found.harmlessPivots > 1);
     const auto outcomes = [&](const Params& params) {
-        EventLog log;
-        runAll(points, params, &log);
+        const std::vector<Event> events = eventsOf(points, params);
         std::vector<std::vector<Outcome>> ofPivot;
-        for (const Event& event : log.events()) {
+        for (const Event& event : events) {
             ofPivot.resize(std::max<std::size_t>(ofPivot.size(), event.address.pivot + 1));
             ofPivot.back().push_back(outcomeOf(event));
         }
