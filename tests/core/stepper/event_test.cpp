@@ -51,6 +51,12 @@ TEST_CASE("every kind of evidence has a sentence") {
     }
 }
 
+TEST_CASE("every kind of alert has its name") {
+    CHECK(alertName(AlertKind::TriangleCap) == "triangle_cap");
+    CHECK(alertName(AlertKind::Hole) == "hole");
+    CHECK(alertName(AlertKind::LostSeed) == "lost_seed");
+}
+
 TEST_CASE("events are numbered from 1 within stage and pivot, in order, each address once") {
     EventLog log;
     const PointSet points = prepared(closedFamilies(0.35)[1].sample(1));
