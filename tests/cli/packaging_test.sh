@@ -15,21 +15,28 @@ make_pages() {
 # options_of PROGRAM WORDS...: the names in its help text, which was not made from the same lists.
 options_of() { "$@" --help | sed -nE 's/^ {1,8}(-[^ ]*).*/\1/p' | tr ',' '\n' | sort -u; }
 
-# has NAME OPTION FILE...: each file has the word, as shells and man pages write it.
-has() {
-    local option=$2 name=$1 file
-    shift 2
+# have NAME FILE...: each file has the options of standard input, as shells and man pages write them.
+have() {
+    local name=$1 file options words before after missing
+    options=$(cat)
+    shift
     for file; do
+        words=$options before="(^|[ '(\"|*)\n])" after="([[ '\"|)\n]|\$)"
         case $file in
-            man1/*) grep -qE -- "(^|[ ,])$option([ ,]|\$)" "$file" ;;
-            fish/*) grep -qE -- "$(sed -E 's/^--/ -l /; t; s/^-/ -s /' <<<"$option")( |\$)" "$file" ;;
-            *) grep -qE -- "(^|[ '(\"|*)])$option([[ '\"|)]|\$)" "$file" ;;
-        esac || fail "$name: $option is not in $file"
+            man1/*) before='(^|[ ,\n])' after='([ ,\n]|$)' ;;
+            fish/*) words=$(sed -E 's/^--/-l /; t; s/^-/-s /' <<<"$options") before=' ' after='([ \n]|$)' ;;
+        esac
+        missing=$(before=$before after=$after awk '
+            NR == FNR { words[$0]; next }
+            { text = text "\n" $0 }
+            END { for (each in words) if (text !~ ENVIRON["before"] each ENVIRON["after"]) print each }' \
+            - "$file" <<<"$words")
+        [ -z "$missing" ] || fail "$name: not in $file:" $missing
     done
 }
 
 every_verb_and_option_is_in_the_pages() {
-    local verb option shells file verbs=0
+    local verb shells file verbs=0
     make_pages .
     for file in man1/*.gz; do
         zcat "$file" | sed 's/\\-/-/g; s/\\fB/ /g; s/\\f[IR]/ /g' >"${file%.gz}"
@@ -44,15 +51,12 @@ every_verb_and_option_is_in_the_pages() {
         sed -n "/^ *\"$verb\")/,/;;/p" bash/spiraling-edge >"bash/$verb"
         sed -n "/^ *$verb)/,/;;/p" zsh/_spiraling-edge >"zsh/$verb"
         grep "from $verb'" fish/spiraling-edge.fish >"fish/$verb"
-        while read -r option; do has "$verb" "$option" "man1/spiraling-edge-$verb.1" {bash,zsh,fish}/"$verb"; done \
-            < <(options_of "$program" "$verb")
+        have "$verb" "man1/spiraling-edge-$verb.1" {bash,zsh,fish}/"$verb" < <(options_of "$program" "$verb")
     done < <("$program" --help | sed -n 's/^  \([a-z][a-z0-9]*\)  *[a-z].*/\1/p')
     [ "$verbs" -ge 17 ] || fail "$verbs verbs in the help"
     [ -x "$viewer" ] || return
-    while read -r option; do
-        has viewer "$option" man1/spiraling-edge-viewer.1 bash/spiraling-edge-viewer zsh/_spiraling-edge-viewer \
-            fish/spiraling-edge-viewer.fish
-    done < <(options_of "$viewer")
+    have viewer man1/spiraling-edge-viewer.1 bash/spiraling-edge-viewer zsh/_spiraling-edge-viewer \
+        fish/spiraling-edge-viewer.fish < <(options_of "$viewer")
 }
 
 man_pages_are_read_without_warnings() {
