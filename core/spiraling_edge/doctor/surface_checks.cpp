@@ -171,10 +171,10 @@ std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
             const auto p = static_cast<Index>(i);
             if (!examined.present()[p] || examined.spacing[p] == 0.0) continue;
             smallPatch(examined, p, patch);
-            if (const auto small = fitQuadric(examined.file.position, patch))
-                result[p].narrow = small->deviation / examined.spacing[p];
+            if (const auto small = deviationFromQuadric(examined.file.position, patch))
+                result[p].narrow = *small / examined.spacing[p];
             widePatch(examined, p, patch);
-            const auto wide = fitQuadric(examined.file.position, patch, true);
+            const auto wide = heapsOverQuadric(examined.file.position, patch);
             if (!wide) continue;
             result[p].wide = wide->deviation / examined.spacing[p];
             result[p].heaps = wide->heaps;

@@ -125,30 +125,53 @@ TwoHeaps heapsOver(std::vector<FitRow>& rows, std::vector<double>& heights) {
     return heaps;
 }
 
-}  // namespace
+/// A patch with the quadric that fits it best.
+struct FittedPatch {
+    double length = 1.0;  ///< Of PatchFrame, the unit of rows and heights.
+    std::vector<FitRow> rows;
+    std::vector<double> heights;
 
-std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch,
-                                     bool layers) {
+    /// The points less the coefficients.
+    double freedom() const {
+        return static_cast<double>(rows.size()) - static_cast<double>(kFitCoefficients);
+    }
+    double deviation() const {
+        double squares = 0.0;
+        for (const double height : heights) squares += height * height;
+        return length * std::sqrt(squares / freedom());
+    }
+};
+
+std::optional<FittedPatch> fitQuadric(std::span<const Vec3> position,
+                                      std::span<const Index> patch) {
     if (patch.size() < kLeastFitted) return std::nullopt;
     const std::optional<PatchFrame> frame = frameOf(position, patch);
     if (!frame) return std::nullopt;
-    std::vector<FitRow> rows;
-    rows.reserve(patch.size());
-    for (const Index q : patch) rows.push_back(frame->rowOf(position[q]));
-    std::vector<double> over;
-    if (!heightsOver(rows, over)) return std::nullopt;
-    double squares = 0.0;
-    for (const double height : over) squares += height * height;
+    FittedPatch fitted{frame->length, {}, {}};
+    fitted.rows.reserve(patch.size());
+    for (const Index q : patch) fitted.rows.push_back(frame->rowOf(position[q]));
+    if (!heightsOver(fitted.rows, fitted.heights)) return std::nullopt;
+    return fitted;
+}
+
+}  // namespace
+
+std::optional<double> deviationFromQuadric(std::span<const Vec3> position,
+                                           std::span<const Index> patch) {
+    const std::optional<FittedPatch> fitted = fitQuadric(position, patch);
+    return fitted ? std::optional(fitted->deviation()) : std::nullopt;
+}
+
+std::optional<FitHeights> heapsOverQuadric(std::span<const Vec3> position,
+                                           std::span<const Index> patch) {
+    std::optional<FittedPatch> fitted = fitQuadric(position, patch);
+    if (!fitted) return std::nullopt;
+    const double deviation = fitted->deviation();
+    TwoHeaps heaps = heapsOver(fitted->rows, fitted->heights);
     const auto count = static_cast<double>(patch.size());
-    FitHeights heights;
-    heights.deviation =
-        frame->length * std::sqrt(squares / (count - static_cast<double>(kFitCoefficients)));
-    if (!layers) return heights;
-    heights.heaps = heapsOver(rows, over);
-    heights.heaps.apart *= frame->length;
-    heights.heaps.within *=
-        frame->length * std::sqrt(count / (count - static_cast<double>(kFitCoefficients)));
-    return heights;
+    heaps.apart *= fitted->length;
+    heaps.within *= fitted->length * std::sqrt(count / fitted->freedom());
+    return FitHeights{deviation, heaps};
 }
 
 }  // namespace se

@@ -10,21 +10,25 @@
 
 namespace se {
 
-/// Heights of a patch of points over the quadric that fits them best.
+/// The root mean square height of a patch of points over the quadric that fits them best, as far as
+/// chance does not lessen it (divided by the points less the six coefficients). In the unit of the
+/// positions; on a smooth surface it is the noise along the normal. The quadric is height = a + b x
+/// + c y + d x^2 + e x y + f y^2 over the plane of the first point and the others, by least
+/// squares. Nothing with fewer than nine points, or where they do not determine the fit, as in a
+/// line.
+std::optional<double> deviationFromQuadric(std::span<const Vec3> position,
+                                           std::span<const Index> patch);
+
+/// Heights of a patch of points over a quadric.
 struct FitHeights {
-    /// Root mean square, as far as chance does not lessen it (divided by the points less the six
-    /// coefficients). In the unit of the positions; on a smooth surface it is the noise along the
-    /// normal.
-    double deviation = 0.0;
+    double deviation = 0.0;  ///< deviationFromQuadric()
     /// Of the heights over a surface that is fitted again to both heaps, one moved onto the other:
     /// a fit to two layers bends between them.
     TwoHeaps heaps{};
 };
 
-/// Fits height = a + b x + c y + d x^2 + e x y + f y^2 over the plane of the first point and the
-/// others, by least squares; the heaps only if `layers`. Nothing with fewer than nine points, or
-/// where they do not determine the fit, as in a line.
-std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch,
-                                     bool layers = false);
+/// As above, with the heaps of the heights, which takes up to four fits.
+std::optional<FitHeights> heapsOverQuadric(std::span<const Vec3> position,
+                                           std::span<const Index> patch);
 
 }  // namespace se
