@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/lists.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 
@@ -169,9 +170,15 @@ class PcdReader : LineByLine {
                     inQuotes(word));
     }
 
+    /// The field of numbers of this name; if there is none, one whose name differs only in case.
     const PcdField* find(std::string_view name) const {
-        return rowWhere(fields_, [&](const PcdField& field) {
-            return field.name == name && field.count == 1 && field.kind == 'F' && field.type();
+        const auto isFound = [&](const PcdField& field, const std::string& as) {
+            return as == name && field.count == 1 && field.kind == 'F' && field.type();
+        };
+        const PcdField* exact =
+            rowWhere(fields_, [&](const PcdField& field) { return isFound(field, field.name); });
+        return exact != nullptr ? exact : rowWhere(fields_, [&](const PcdField& field) {
+            return isFound(field, lowerCase(field.name));
         });
     }
 
@@ -259,8 +266,8 @@ class PcdReader : LineByLine {
     static bool isAttribute(const PcdField& field) {
         if (field.count != 1 || !field.type()) return false;
         // Whole numbers of these names are not normals here, but would be in PLY.
-        return field.kind == 'F' ||
-               !(isAmong(field.name, kNormals) || isAmong(field.name, kShortNormals));
+        const std::string name = lowerCase(field.name);
+        return field.kind == 'F' || !(isAmong(name, kNormals) || isAmong(name, kShortNormals));
     }
 
     bool readText() {

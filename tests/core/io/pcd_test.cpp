@@ -45,6 +45,22 @@ TEST_CASE("PCD: points, normals and other fields, in text") {
     CHECK(file.attributes[0].values == std::vector<double>{0.5, 0.25});
 }
 
+TEST_CASE("PCD: names of positions and normals are known in capitals, as in PLY") {
+    for (const char* names : {"X Y Z NX NY NZ CURVATURE", "x y z nx nY nz Curvature",
+                              "X y z Normal_X Normal_Y Normal_Z curvature"}) {
+        CAPTURE(names);
+        std::string head = kHead;
+        const std::string usual = "x y z normal_x normal_y normal_z curvature";
+        head.replace(head.find(usual), usual.size(), names);
+        const auto result = readPoints(head + "DATA ascii\n" + kRows, "a.pcd");
+        REQUIRE(result.ok());
+        CHECK(result.value().position[0] == Vec3(1, 2.5, 3));
+        REQUIRE(result.value().hasNormals());
+        CHECK(result.value().normal[1] == Vec3(0, 1, 0));
+        CHECK(result.value().attributes.size() == 1);
+    }
+}
+
 TEST_CASE("PCD: the same points in binary, whatever the size and order of the fields") {
     std::string bytes =
         "VERSION .7\nFIELDS z label x _ y rgb\nSIZE 8 2 8 1 8 4\nTYPE F U F U F F\n"
