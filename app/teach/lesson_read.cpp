@@ -42,8 +42,13 @@ class LessonReader {
         lesson_.name = name;
         lesson_.hash = hashOfText(text);
         for (io::LineReader lines(text); lines.next();) {
-            lines_.push_back(lines.line());
-            if (lines_.back().ends_with('\r')) lines_.back().remove_suffix(1);
+            std::string_view rest = lines.line();
+            if (rest.ends_with('\r')) rest.remove_suffix(1);
+            // As cmark counts lines, which end at a lone carriage return as well.
+            for (std::size_t end; (end = rest.find('\r')) != std::string_view::npos;
+                 rest.remove_prefix(end + 1))
+                lines_.push_back(rest.substr(0, end));
+            lines_.push_back(rest);
         }
     }
 

@@ -76,6 +76,14 @@ TEST_CASE("a lesson with line ends of Windows is read alike") {
     CHECK(reading.lesson.steps[0].question->answer == "refused");
 }
 
+TEST_CASE("a lone carriage return ends a line of a lesson, as in Markdown") {
+    const std::string text = "# A\rb\r" + figure8Question("\"refused\"").substr(3);
+    const LessonReading reading = readLesson(text, "x");
+    CHECK(reading.faults.empty());
+    REQUIRE(reading.lesson.steps.size() == 1);
+    CHECK(reading.lesson.steps[0].text == "Text.\n");
+}
+
 TEST_CASE("HTML and other fenced blocks are text") {
     const LessonReading reading = readLesson(
         lessonWith("## One\n\n<b onclick=\"x\">bold</b>\n\n```sh\nspiraling-edge\n```\n"), "x");
