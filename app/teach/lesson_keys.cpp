@@ -53,17 +53,23 @@ std::size_t tokenLength(std::string_view text) {
 
 /// The first wrong sign outside of strings and comments; nothing if there is none. A bracket that
 /// closes no bracket of its kind, or that begins the header of a table, which no block of a lesson
-/// has; or a byte beyond ASCII. `line`: of the file, where the text begins.
+/// has; or a byte beyond ASCII; or a quotation mark within a word, where no string begins. `line`:
+/// of the file, where the text begins.
 std::optional<LessonFault> strayTomlSign(std::string_view toml, std::size_t line) {
     constexpr auto kBracket = "a bracket that does not belong there; a table is written as { ... }";
     constexpr auto kLetter =
         "a letter or sign that does not belong there; texts stand in \"quotation marks\"";
+    constexpr std::string_view kBeforeString = " \t\r\n=[{,.";
     std::string open;
     bool startsLine = true;
+    char before = '\n';
     while (!toml.empty()) {
         const std::size_t length = tokenLength(toml);
         const std::string_view token = toml.substr(0, length);
-        if (static_cast<unsigned char>(token.front()) > 0x7F) return LessonFault{line, "", kLetter};
+        const bool isString = token.front() == '"' || token.front() == '\'';
+        if (static_cast<unsigned char>(token.front()) > 0x7F ||
+            (isString && kBeforeString.find(before) == std::string_view::npos))
+            return LessonFault{line, "", kLetter};
         if (token == "[" && startsLine && open.empty()) return LessonFault{line, "", kBracket};
         if (token == "[") open += ']';
         if (token == "{") open += '}';
@@ -73,6 +79,7 @@ std::optional<LessonFault> strayTomlSign(std::string_view toml, std::size_t line
             open.pop_back();
         }
         line += static_cast<std::size_t>(std::count(token.begin(), token.end(), '\n'));
+        before = token.back();
         startsLine = token == "\n" || (startsLine && (token == " " || token == "\t"));
         toml.remove_prefix(length);
     }

@@ -125,6 +125,7 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
          ":13: a bracket that does not belong"},
         {lessonWith(stepWith("step", "hide = [\xC3\xA9]")), ":13: a letter or sign that does not"},
         {lessonWith(stepWith("step", "\xC3\xA9 = 1")), ":13: a letter or sign that does not"},
+        {lessonWith(stepWith("step", "at = 9x\"\xC3\xA9]")), ":13: a letter or sign that does not"},
         {lessonWith(stepWith("step", "at = }")), ":13: a bracket that does not belong"},
         {lessonWith(stepWith("step", "at = \"0\"\n [part]")),
          ":14: a bracket that does not belong"},
