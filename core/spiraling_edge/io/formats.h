@@ -3,7 +3,10 @@
 /// that passes checkWritable().
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,9 +16,41 @@
 
 #include "spiraling_edge/base/lists.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 
 namespace se::io {
+
+// ---- names of columns ---------------------------------------------------------------------------
+
+/// The row that `fits` of this name, which is in lower case; if there is none, one whose name
+/// differs only in case. Null if there is none of these.
+template <typename Rows, typename Fits>
+auto findInAnyCase(const Rows& rows, std::string_view name, const Fits& fits)
+    -> decltype(&*std::begin(rows)) {
+    const auto* exact =
+        rowWhere(rows, [&](const auto& row) { return row.name == name && fits(row); });
+    if (exact != nullptr) return exact;
+    return rowWhere(rows,
+                    [&](const auto& row) { return lowerCase(row.name) == name && fits(row); });
+}
+
+using VectorNames = std::array<const char*, 3>;
+
+/// Of two triples of names the first one that is there: as they are written, else in any case.
+/// `find` returns the row of a name, or null. The second one if neither is there.
+template <typename Find>
+const VectorNames& namesThere(const VectorNames& first, const VectorNames& second,
+                              const Find& find) {
+    const auto exactly = [&](const char* name) {
+        const auto* row = find(name);
+        return row != nullptr && row->name == name;
+    };
+    const auto anyCase = [&](const char* name) { return find(name) != nullptr; };
+    if (std::all_of(first.begin(), first.end(), exactly)) return first;
+    if (std::all_of(second.begin(), second.end(), exactly)) return second;
+    return std::all_of(first.begin(), first.end(), anyCase) ? first : second;
+}
 
 // ---- readers ------------------------------------------------------------------------------------
 

@@ -11,7 +11,6 @@
 
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/lists.h"
-#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
 
@@ -172,13 +171,8 @@ class PcdReader : LineByLine {
 
     /// The field of numbers of this name; if there is none, one whose name differs only in case.
     const PcdField* find(std::string_view name) const {
-        const auto isFound = [&](const PcdField& field, const std::string& as) {
-            return as == name && field.count == 1 && field.kind == 'F' && field.type();
-        };
-        const PcdField* exact =
-            rowWhere(fields_, [&](const PcdField& field) { return isFound(field, field.name); });
-        return exact != nullptr ? exact : rowWhere(fields_, [&](const PcdField& field) {
-            return isFound(field, lowerCase(field.name));
+        return findInAnyCase(fields_, name, [](const PcdField& field) {
+            return field.count == 1 && field.kind == 'F' && field.type();
         });
     }
 
@@ -225,8 +219,8 @@ class PcdReader : LineByLine {
         const auto n = static_cast<std::size_t>(*points_);
         columns_.assign(fields_.size(), {});
         takeVectors(kAxes, file_.position, file_.positionType);
-        takeVectors(kNormals, file_.normal, file_.normalType);
-        if (file_.normal.empty()) takeVectors(kShortNormals, file_.normal, file_.normalType);
+        takeVectors(namesThere(kNormals, kShortNormals, [this](auto name) { return find(name); }),
+                    file_.normal, file_.normalType);
         for (std::size_t i = 0; n > 0 && i < fields_.size(); ++i) {
             if (columns_[i].first != nullptr || fields_[i].name == "_") continue;
             if (!isAttribute(fields_[i])) {
@@ -240,13 +234,12 @@ class PcdReader : LineByLine {
         }
     }
 
-    static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-    static constexpr std::array<const char*, 3> kNormals{"normal_x", "normal_y", "normal_z"};
-    static constexpr std::array<const char*, 3> kShortNormals{"nx", "ny", "nz"};
+    static constexpr VectorNames kAxes{"x", "y", "z"};
+    static constexpr VectorNames kNormals{"normal_x", "normal_y", "normal_z"};
+    static constexpr VectorNames kShortNormals{"nx", "ny", "nz"};
 
     /// Sends three fields to the components of `vectors`, if there are all of them.
-    void takeVectors(const std::array<const char*, 3>& names, std::vector<Vec3>& vectors,
-                     ScalarType& type) {
+    void takeVectors(const VectorNames& names, std::vector<Vec3>& vectors, ScalarType& type) {
         const auto isThere = [this](const char* name) { return find(name) != nullptr; };
         if (!std::all_of(names.begin(), names.end(), isThere)) return;
         const auto isFloat = [this](const char* name) {

@@ -357,18 +357,18 @@ std::size_t findProperty(const PlyElement& element, std::string_view name, bool 
     return kNoProperty;
 }
 
-/// The scalar of this name; if there is none, one whose name differs only in case.
-std::size_t findScalar(const PlyElement& element, std::string_view name) {
-    const std::size_t exact = findProperty(element, name, false);
-    if (exact != kNoProperty) return exact;
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-        const PlyProperty& property = element.properties[i];
-        if (!property.isList && lowerCase(property.name) == lowerCase(name)) return i;
-    }
-    return kNoProperty;
+const PlyProperty* scalarNamed(const PlyElement& element, std::string_view name) {
+    return findInAnyCase(element.properties, name,
+                         [](const PlyProperty& property) { return !property.isList; });
 }
 
-using VectorNames = std::array<const char*, 3>;
+/// The scalar of this name; if there is none, one whose name differs only in case.
+std::size_t findScalar(const PlyElement& element, std::string_view name) {
+    const PlyProperty* found = scalarNamed(element, name);
+    if (found == nullptr) return kNoProperty;
+    return static_cast<std::size_t>(found - element.properties.data());
+}
+
 constexpr VectorNames kPositionNames{"x", "y", "z"};
 
 /// The names under which `vertex` holds normals: the usual ones, unless it has only those of the
@@ -376,15 +376,7 @@ constexpr VectorNames kPositionNames{"x", "y", "z"};
 VectorNames normalNames(const PlyElement& vertex) {
     constexpr VectorNames kUsual{"nx", "ny", "nz"};
     constexpr VectorNames kLong{"normal_x", "normal_y", "normal_z"};
-    const auto holds = [&](const VectorNames& names, auto find) {
-        return std::all_of(names.begin(), names.end(),
-                           [&](const char* name) { return find(name) != kNoProperty; });
-    };
-    const auto exactly = [&](const char* name) { return findProperty(vertex, name, false); };
-    const auto anyCase = [&](const char* name) { return findScalar(vertex, name); };
-    if (holds(kUsual, exactly)) return kUsual;
-    if (holds(kLong, exactly)) return kLong;
-    return holds(kUsual, anyCase) ? kUsual : kLong;
+    return namesThere(kUsual, kLong, [&](const char* name) { return scalarNamed(vertex, name); });
 }
 
 /// The list of an element that names points.

@@ -59,6 +59,13 @@ TEST_CASE("PCD: names of positions and normals are known in capitals, as in PLY"
         CHECK(result.value().normal[1] == Vec3(0, 1, 0));
         CHECK(result.value().attributes.size() == 1);
     }
+    // As they are written before others: the normals are those of nx, as before.
+    const auto both = readPoints(
+        "FIELDS x y z Normal_X Normal_Y Normal_Z nx ny nz\nSIZE 4 4 4 4 4 4 4 4 4\n"
+        "TYPE F F F F F F F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n0 0 0 1 0 0 0 0 1\n",
+        "a.pcd");
+    REQUIRE(both.ok());
+    CHECK(both.value().normal == std::vector<Vec3>{Vec3(0, 0, 1)});
 }
 
 TEST_CASE("PCD: the same points in binary, whatever the size and order of the fields") {
