@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "document/alert_actions.h"
 #include "paint/shapes.h"
@@ -181,32 +183,52 @@ LinePosition positionOfCursor(const DecisionRows& rows, const Session& session) 
     return place;
 }
 
-/// The rows of a list, each with the lines that it stands for. Repeats around the cursor are not
-/// folded.
-std::vector<LineFold> foldedRows(const DecisionRows& rows, const LinePosition& place) {
-    std::vector<LineFold> all;
-    std::size_t next = 0;
-    const auto addUpTo = [&](std::size_t line) {
-        for (; next < line; ++next) all.push_back({next, 1});
-    };
-    for (const LineFold& fold : rows.folds) {
-        const bool here = place.here && *place.here - fold.first < fold.count;
-        if (here || isAmong(fold.first, rows.list.unfolded)) continue;
-        addUpTo(fold.first);
-        all.push_back(fold);
-        next += fold.count;
+/// The rows of a list: one for each line, but for repeats that are folded. Repeats around the
+/// cursor are not. Takes memory for what is folded alone: lists may be long.
+class ShownRows {
+  public:
+    ShownRows(const DecisionRows& rows, const LinePosition& place) : size_(rows.lines.size()) {
+        for (const LineFold& fold : rows.folds) {
+            const bool here = place.here && *place.here - fold.first < fold.count;
+            if (here || isAmong(fold.first, rows.list.unfolded)) continue;
+            folded_.push_back({fold, fold.first + size_ - rows.lines.size()});
+            size_ -= fold.count - 1;
+        }
     }
-    addUpTo(rows.lines.size());
-    return all;
-}
+    std::size_t size() const { return size_; }
+    /// The lines of a row.
+    LineFold operator[](std::size_t row) const {
+        const Folded* last = lastWhere([row](const Folded& each) { return each.row <= row; });
+        if (last == nullptr) return {row, 1};
+        if (last->row == row) return last->lines;
+        return {last->after() + row - last->row - 1, 1};
+    }
+    /// The number of the row that shows a line.
+    std::size_t rowOf(std::size_t line) const {
+        const Folded* last =
+            lastWhere([line](const Folded& each) { return each.lines.first <= line; });
+        if (last == nullptr) return line;
+        return line < last->after() ? last->row : last->row + 1 + line - last->after();
+    }
 
-/// The number of the row that shows a line.
-float rowOf(std::span<const LineFold> shown, std::size_t line) {
-    const auto row = std::partition_point(shown.begin(), shown.end(), [line](const LineFold& each) {
-        return each.first + each.count <= line;
-    });
-    return static_cast<float>(row - shown.begin());
-}
+  private:
+    struct Folded {
+        LineFold lines;
+        std::size_t row;
+
+        std::size_t after() const { return lines.first + lines.count; }
+    };
+
+    /// The last one for which this holds, as for all before it; null: none.
+    template <typename Holds>
+    const Folded* lastWhere(const Holds& holds) const {
+        const auto end = std::partition_point(folded_.begin(), folded_.end(), holds);
+        return end == folded_.begin() ? nullptr : &*std::prev(end);
+    }
+
+    std::vector<Folded> folded_;
+    std::size_t size_;
+};
 
 /// Scrolls from `scroll` to a row at `y`, unless that is in sight then.
 void scrollTo(float y, float pitch, float scroll) {
@@ -218,7 +240,7 @@ void scrollTo(float y, float pitch, float scroll) {
 /// Scrolls to the line that the cursor moves to, and to the decisive one of a new answer. To be
 /// called before the first row.
 void follow(const PanelContext& context, const DecisionRows& rows, const LinePosition& place,
-            std::span<const LineFold> shown, float pitch) {
+            const ShownRows& shown, float pitch) {
     const float top = ImGui::GetCursorPosY();
     const Session& session = context.session();
     const bool moved =
@@ -229,11 +251,12 @@ void follow(const PanelContext& context, const DecisionRows& rows, const LinePos
         // Where the answer scrolls with its lines, it is to be read first.
         const bool alone = top < pitch;
         const std::size_t first = alone ? rows.cause.value_or(0) : 0;
-        scrollTo(rowOf(shown, first) * pitch, pitch, 0.0F);
+        scrollTo(static_cast<float>(shown.rowOf(first)) * pitch, pitch, 0.0F);
     }
     if (rows.list.settling > 0) --rows.list.settling;
     if (!moved || !place.here || rows.list.settling > 0) return;
-    scrollTo(top + rowOf(shown, *place.here) * pitch, pitch, ImGui::GetScrollY());
+    scrollTo(top + static_cast<float>(shown.rowOf(*place.here)) * pitch, pitch,
+             ImGui::GetScrollY());
 }
 
 }  // namespace
@@ -243,11 +266,11 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
     const LinePosition place = positionOfCursor(rows, context.session());
     if (rows.list.answer != rows.lines.data()) rows.list.unfolded.clear();
-    const std::vector<LineFold> shown = foldedRows(rows, place);
+    const ShownRows shown(rows, place);
     RowDrawer drawer(context, rows, place);
     follow(context, rows, place, shown, drawer.pitch());
     drawSeen(shown.size(), drawer.pitch(), [&](std::size_t i) {
-        const LineFold& row = shown[i];
+        const LineFold row = shown[i];
         if (row.count > 1) {
             if (drawer.drawFold(row)) rows.list.unfolded.push_back(row.first);
         } else if (drawer.draw(row.first)) {
