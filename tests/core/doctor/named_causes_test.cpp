@@ -411,7 +411,8 @@ TEST_CASE("doctor: lines are thinned to a surface that can be followed") {
     CHECK(describeFaults(points, runAll(points, robust()).state.mesh()) == "");
 }
 
-TEST_CASE("doctor: lines as far apart as their points, or by twice as much, are none") {
+TEST_CASE("doctor: lines as far apart as their points, or by twice as much, are none" *
+          doctest::test_suite("long")) {
     Random random(7);
     for (std::size_t shape = 0; shape < 5; ++shape) {
         for (const double ratio : {1.0, 1.5, 2.0, 3.0})
@@ -421,7 +422,8 @@ TEST_CASE("doctor: lines as far apart as their points, or by twice as much, are 
 
 // ---- units --------------------------------------------------------------------------------------
 
-TEST_CASE("doctor: axes with different units are found, and taken for nothing else") {
+TEST_CASE("doctor: axes with different units are found, and taken for nothing else" *
+          doctest::test_suite("long")) {
     int count = 0;
     int right = 0;
     for (const double degrees : {1.0 / 111000.0, 1e-4, 1e-3}) {
@@ -458,7 +460,7 @@ TEST_CASE("doctor: axes with different units are found, and taken for nothing el
     CHECK(right * 20 >= count * 19);
 }
 
-TEST_CASE("doctor: long thin parts and flat ones have one unit") {
+TEST_CASE("doctor: long thin parts and flat ones have one unit" * doctest::test_suite("long")) {
     for (const Vec3& scale : {Vec3(400.0, 1.0, 1.0), Vec3(1.0, 1.0, 0.002), Vec3(3.0, 2.0, 1.0)}) {
         // A tube, its points as far apart along it as around.
         PointFile file;

@@ -122,7 +122,8 @@ TEST_CASE("After each stage the replayed neighbor ring is that of the stepper") 
     CHECK(compared > 100000);
 }
 
-TEST_CASE("The replayed neighbor ring is that of the stepper by every value of a rule") {
+TEST_CASE("The replayed neighbor ring is that of the stepper by every value of a rule" *
+          doctest::test_suite("long")) {
     for (const std::string base : {"paper", "robust"}) {
         test::forEachPaperRule(
             *paramsByName(base), [&](const Params& params, const std::string& rule) {

@@ -110,7 +110,8 @@ TEST_CASE("reading: a margin is above 0 where the point is taken, below 0 where 
     CHECK(checked > 100000);
 }
 
-TEST_CASE("reading: a margin has the sign of the outcome by every value of a rule") {
+TEST_CASE("reading: a margin has the sign of the outcome by every value of a rule" *
+          doctest::test_suite("long")) {
     forEachPaperRule(paper(), [](const Params& params, const std::string& rule) {
         CAPTURE(rule);
         for (const char* id : {"four-edge-hole", "figure-14", "close-sheets", "grid", "torus"})

@@ -214,7 +214,7 @@ TEST_CASE("equal seeds give equal particles, whatever the number of threads" *
     CHECK(sampled("gyroid", options).position != one.position);
 }
 
-TEST_CASE("a spacing gives as many particles as fit") {
+TEST_CASE("a spacing gives as many particles as fit" * doctest::test_suite("long")) {
     for (const char* shape : {"sphere", "torus", "plane", "hyperboloid-one-sheet"}) {
         CAPTURE(shape);
         SamplerOptions options;
@@ -340,7 +340,7 @@ TEST_CASE("what cannot be sampled is an error in words") {
     CHECK(says(cancelled.error().message, "cancelled"));
 }
 
-TEST_CASE("sampled shapes are triangulated to the last point") {
+TEST_CASE("sampled shapes are triangulated to the last point" * doctest::test_suite("long")) {
     // Closed: V - E + F = Euler number; open: one boundary edge per point on a wall.
     struct Expected {
         const char* shape;

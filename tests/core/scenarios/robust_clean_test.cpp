@@ -117,7 +117,8 @@ TEST_CASE("robust: clean clouds come out as well with other numbers of neighbors
     }
 }
 
-TEST_CASE("robust: clean clouds of 215 to 3,700 points come out sound and of the ideal number") {
+TEST_CASE("robust: clean clouds of 215 to 3,700 points come out sound and of the ideal number" *
+          doctest::test_suite("long")) {
     for (const NamedShape& shape : namedShapes()) {
         // The pieces of a gyroid this large need more points than 215.
         if (shape.name == "gyroid") continue;
@@ -128,7 +129,8 @@ TEST_CASE("robust: clean clouds of 215 to 3,700 points come out sound and of the
     }
 }
 
-TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else") {
+TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else" *
+          doctest::test_suite("long")) {
     checkSizes({"gyroid", gyroid(), Vec3(-2.7), Vec3(0.9), {-1, 1, 3}}, {215}, 4);
     checkSizes(gyroidInBox(), {1400}, 2);
     checkSizes(gyroidInBox(), {3700}, 1);
@@ -154,7 +156,8 @@ TEST_CASE("robust: clean clouds of 43,000 points come out sound and of the ideal
     }
 }
 
-TEST_CASE("robust: a sphere cut by a box ends at its six windows and nowhere else") {
+TEST_CASE("robust: a sphere cut by a box ends at its six windows and nowhere else" *
+          doctest::test_suite("long")) {
     checkSizes({"windows", unitSphere(), Vec3(-0.9), Vec3(0.9), {2 - 6, 1, 6}}, {215, 1400, 3700},
                2);
 }
@@ -197,7 +200,7 @@ TEST_CASE("nocross: edges of one straight border do not cross, however it lies")
     }
 }
 
-TEST_CASE("robust: no point of a straight border is passed over") {
+TEST_CASE("robust: no point of a straight border is passed over" * doctest::test_suite("long")) {
     const NamedShape sheet{"flat sheet", flatSheet(), Vec3(-1.0), Vec3(1.0), {1, 1, 1}};
     checkSizes(sheet, {100, 215}, 12);
     checkSizes(sheet, {1400}, 1);
