@@ -50,7 +50,8 @@ Options optionsFor(const char* scene, const char* address) {
 
 }  // namespace
 
-TEST_CASE("A picture in tiles equals the whole one, across all seams") {
+TEST_CASE("A picture in tiles equals the whole one, across all seams" *
+          doctest::test_suite("pictures")) {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
     // Hatched triangles, labels and lines; shaded surfaces; points too close for shapes.

@@ -200,7 +200,7 @@ TEST_CASE("Doctor: two layers are thinned to one at the second click, since most
 
 TEST_CASE("Points set aside for noise are seen while their layer is on, and return by a click") {
     const OwnFolder folder;
-    PointFile noisy = test::spiralSphere(1500);
+    PointFile noisy = test::spiralSphere(600);
     std::mt19937 chance(5);
     for (Vec3& position : noisy.position) {
         double sum = -1.5;
