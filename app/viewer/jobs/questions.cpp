@@ -6,9 +6,29 @@
 #include <utility>
 
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "thread.h"
 
 namespace se::view {
+
+std::vector<LineFold> foldsOf(std::span<const LedgerLine> lines, std::size_t cause) {
+    constexpr std::size_t kLeast = 3;
+    const auto repeats = [&](std::size_t i) {
+        const Event& event = lines[i].event;
+        const Event& before = lines[i - 1].event;
+        return i != cause && lines[i].role == lines[i - 1].role &&
+               event.address.stage == before.address.stage &&
+               endingText(event) == endingText(before);
+    };
+    std::vector<LineFold> folds;
+    for (std::size_t first = 1; first < lines.size();) {
+        std::size_t end = first;
+        while (end < lines.size() && repeats(end)) ++end;
+        if (end - first >= kLeast) folds.push_back({first, end - first});
+        first = std::max(end, first + 1);
+    }
+    return folds;
+}
 
 void Questions::open(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> file,
                      RunSpec spec) {
@@ -26,6 +46,8 @@ void Questions::open(std::shared_ptr<const Model> model, std::shared_ptr<const P
 bool Questions::poll() {
     bool news = false;
     forEach([&news](auto& query) { news = query.poll() || news; });
+    if (const Ledger* answer = why(); news && answer != nullptr)
+        folds_ = foldsOf(answer->lines, answer->cause);
     return news;
 }
 

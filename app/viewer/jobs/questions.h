@@ -20,6 +20,15 @@
 
 namespace se::view {
 
+/// Lines of a list that follow each other and are alike: one row stands for them.
+struct LineFold {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+/// The repeats in a ledger: lines of the same role and stage with the same outcome as the one
+/// before them, at least three. The decisive line is in none.
+std::vector<LineFold> foldsOf(std::span<const LedgerLine> lines, std::size_t cause);
+
 struct ClosestAnswer {
     NearestDecisions decisions;
     std::vector<LedgerLine> lines;  ///< The decisions as lines, in the same order.
@@ -64,6 +73,8 @@ class Questions {
         const bool proved = ledger_.answer() != nullptr && proof_.answer() != nullptr;
         return proved ? proof_.answer() : ledger_.answer();
     }
+    /// The repeats among the lines of why().
+    std::span<const LineFold> folds() const { return folds_; }
     bool isProving() const { return proof_.busy(); }
     BackgroundQuery<Ledger>& ledger() { return ledger_; }
     const BackgroundQuery<Ledger>& ledger() const { return ledger_; }
@@ -110,6 +121,7 @@ class Questions {
     std::string line_;
     BackgroundQuery<Ledger> ledger_;
     BackgroundQuery<Ledger> proof_;
+    std::vector<LineFold> folds_;
     BackgroundQuery<FoundDecisions> found_;
     BackgroundQuery<ClosestAnswer> closest_;
     BackgroundQuery<std::vector<RunChart>> charts_;

@@ -657,25 +657,6 @@ std::string ledgerText(const std::string& answer, std::span<const LedgerLine> li
     return text;
 }
 
-std::vector<LineFold> foldsOf(std::span<const LedgerLine> lines, std::size_t cause) {
-    constexpr std::size_t kLeast = 3;
-    const auto repeats = [&](std::size_t i) {
-        const Event& event = lines[i].event;
-        const Event& before = lines[i - 1].event;
-        return i != cause && lines[i].role == lines[i - 1].role &&
-               event.address.stage == before.address.stage &&
-               endingText(event) == endingText(before);
-    };
-    std::vector<LineFold> folds;
-    for (std::size_t first = 1; first < lines.size();) {
-        std::size_t end = first;
-        while (end < lines.size() && repeats(end)) ++end;
-        if (end - first >= kLeast) folds.push_back({first, end - first});
-        first = std::max(end, first + 1);
-    }
-    return folds;
-}
-
 namespace {
 
 std::string_view lastWord(std::string_view line) {

@@ -59,15 +59,6 @@ std::string lineText(const LedgerLine& line);
 std::string ledgerText(const std::string& answer, std::span<const LedgerLine> lines,
                        std::size_t cause);
 
-/// Lines of a list that follow each other and are alike: one row stands for them.
-struct LineFold {
-    std::size_t first = 0;
-    std::size_t count = 0;
-};
-/// The repeats in a ledger: lines of the same role and stage with the same outcome as the one
-/// before them, at least three. The decisive line is in none.
-std::vector<LineFold> foldsOf(std::span<const LedgerLine> lines, std::size_t cause);
-
 /// The terms that complete the last word of a line; all of them after a space, or if it is none.
 std::vector<const QueryTerm*> termsFor(std::string_view line);
 /// The line with its last word replaced by the beginning of a term: "stage=sphere mar" and

@@ -371,3 +371,23 @@ TEST_CASE("A point keeps its shape when tinted, and gets its plain color back") 
     CHECK(list.cloudStyleOf == plain.cloudStyleOf);
     CHECK_FALSE(list.marginTint);
 }
+
+TEST_CASE("Repeats in a ledger are folded, but not the decisive line") {
+    std::vector<LedgerLine> lines(10);
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        lines[i].event.address = {i, Stage::Sort, 1};
+        lines[i].role = i == 0 ? LineRole::Fact : LineRole::Refused;
+    }
+    const auto folded = [&](std::size_t cause) {
+        std::vector<std::pair<std::size_t, std::size_t>> all;
+        for (const LineFold& fold : foldsOf(lines, cause)) all.emplace_back(fold.first, fold.count);
+        return all;
+    };
+    using Folds = std::vector<std::pair<std::size_t, std::size_t>>;
+    // The first of them is a row of its own.
+    CHECK(folded(9) == Folds{{2, 7}});
+    // Two are no fold.
+    CHECK(folded(4) == Folds{{5, 5}});
+    lines[6].event.address.stage = Stage::Limits;
+    CHECK(folded(9) == Folds{{2, 4}});
+}

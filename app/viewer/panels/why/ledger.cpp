@@ -92,7 +92,7 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
     ImGui::Spacing();
     const ScrolledBody body(context, "##ledgerBody");
     DecisionRows rows{ledger.lines, context.state<LedgerPanel>().list, ledger.cause};
-    rows.folds = foldsOf(ledger.lines, ledger.cause);
+    rows.folds = context.session().questions().folds();
     drawDecisionRows(context, rows, FrameRequest::Focus);
 }
 

@@ -6,9 +6,8 @@
 #include <span>
 
 #include "document/ui_state.h"
-#include "jobs/background_job.h"
+#include "jobs/questions.h"
 #include "panel_state/side_panels.h"
-#include "rows/evidence_rows.h"
 #include "spiraling_edge/why/ledger.h"
 #include "widgets.h"
 
@@ -26,7 +25,7 @@ struct DecisionRows {
     std::optional<std::size_t> cause = {};  ///< The decisive line.
     bool inOrder = true;  ///< In the order of the run: the cursor has a position among them.
     std::function<RowNote(std::size_t)> note = {};  ///< About a line; none by default.
-    std::vector<LineFold> folds = {};               ///< Repeats, each a row until it is clicked.
+    std::span<const LineFold> folds = {};           ///< Repeats, each a row until it is clicked.
 };
 
 /// Draws them below each other in the current window, which scrolls to the line of the cursor,
