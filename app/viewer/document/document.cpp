@@ -69,20 +69,18 @@ void Document::begin(const Options& options) {
     arrival_.generation = c_.session.generation();
     annotatedSource_ = options.input.source;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
+    if (!options.goTo.empty()) arrival_.named.goTo = options.goTo;
+    if (options.camera) arrival_.named.camera = options.camera;
+    arrival_.named.stateHash = options.stateHash;
     aimAt(options);
     c_.session.open(options.input);
 }
 
-/// Sets the position, camera and state that the options name. Without any of them a scene opens at
-/// its decision.
+/// Frames the position that is named without a camera. A scene with nothing named opens at its
+/// decision.
 void Document::aimAt(const LinkOptions& named) {
-    if (!named.goTo.empty()) {
-        arrival_.named.goTo = named.goTo;
-        arrival_.framed = !named.camera;
-    }
+    if (!named.goTo.empty()) arrival_.framed = !named.camera;
     arrival_.framed = arrival_.framed || named.focus;
-    if (named.camera) arrival_.named.camera = named.camera;
-    arrival_.named.stateHash = named.stateHash;
     if (named.goTo.empty() && named.alert.empty() && !named.camera && !named.session &&
         !named.atDifference)
         aimAtScene(named.input.source);
