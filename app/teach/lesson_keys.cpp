@@ -45,9 +45,11 @@ std::size_t stringLength(std::string_view text) {
     return text.size();
 }
 
+bool startsString(std::string_view text) { return text.front() == '"' || text.front() == '\''; }
+
 /// Length of what stands at the start of `text`: a string, a comment or one character.
 std::size_t tokenLength(std::string_view text) {
-    if (text.front() == '"' || text.front() == '\'') return stringLength(text);
+    if (startsString(text)) return stringLength(text);
     return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
 }
 
@@ -66,9 +68,8 @@ std::optional<LessonFault> strayTomlSign(std::string_view toml, std::size_t line
     while (!toml.empty()) {
         const std::size_t length = tokenLength(toml);
         const std::string_view token = toml.substr(0, length);
-        const bool isString = token.front() == '"' || token.front() == '\'';
         if (static_cast<unsigned char>(token.front()) > 0x7F ||
-            (isString && kBeforeString.find(before) == std::string_view::npos))
+            (startsString(token) && kBeforeString.find(before) == std::string_view::npos))
             return LessonFault{line, "", kLetter};
         if (token == "[" && startsLine && open.empty()) return LessonFault{line, "", kBracket};
         if (token == "[") open += ']';
