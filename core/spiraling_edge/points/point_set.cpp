@@ -27,9 +27,7 @@ Status checkLengths(const PointSet& points) {
         return Error{"there are " + std::to_string(n) + " positions, but " +
                      std::to_string(points.aside.size()) + " marks of points set aside"};
     }
-    if (!points.neighbors.divided())
-        return Error{"the offsets of the neighbor lists do not divide their entries"};
-    return success();
+    return points.neighbors.divided();
 }
 
 Status checkOrder(const PointSet& points) {

@@ -65,10 +65,12 @@ struct NeighborLists {
     std::span<const Index> operator[](Index p) const {
         return {ids.data() + offset[p], ids.data() + offset[p + 1]};
     }
-    /// True if `offset` divides `ids` into lists. O(lists).
-    bool divided() const {
-        return !offset.empty() && offset.front() == 0 && offset.back() == ids.size() &&
-               std::is_sorted(offset.begin(), offset.end());
+    /// Fails unless `offset` divides `ids` into lists. O(lists).
+    Status divided() const {
+        if (!offset.empty() && offset.front() == 0 && offset.back() == ids.size() &&
+            std::is_sorted(offset.begin(), offset.end()))
+            return success();
+        return Error{"the offsets of the neighbor lists do not divide their entries"};
     }
     /// True if the list of p has q. O(list).
     bool has(Index p, Index q) const {
