@@ -311,15 +311,13 @@ constexpr KeyRow<Question> kAskKeys[] = {
 
 /// A value as the text of an option; nothing if it has another type than the field.
 std::optional<std::string> textOf(const toml::node& node, const SpecField& field) {
-    std::string text;
     double number = 0.0;
     bool on = false;
     if (field.type == SpecType::Switch && readValue(node, on)) return on ? "on" : "off";
     if (field.type == SpecType::Whole && node.is_integer())
         return std::to_string(node.as_integer()->get());
     if (field.type != SpecType::Number || !readValue(node, number)) return std::nullopt;
-    appendPlainNumber(text, number);
-    return text;
+    return plainNumber(number);
 }
 
 bool readOptions(const toml::node& node, Lesson& lesson) {

@@ -108,9 +108,7 @@ Grade gradeNumber(const Answer& given, const Answer& right, const Question& ques
 }
 
 std::string textOfNumber(const Answer& answer, const QuestionContext&) {
-    std::string text;
-    if (answer.number) appendPlainNumber(text, *answer.number);
-    return text.empty() ? "none" : text;
+    return answer.number ? plainNumber(*answer.number) : "none";
 }
 
 // ---- play ----

@@ -23,9 +23,7 @@ std::vector<std::string> answerWords(const Answer& answer, const std::vector<Poi
     for (const PlayMove& each : answer.moves) moves.push_back(moveText(each, names));
     if (!moves.empty()) return moves;
     if (!answer.number) return namesOf(answer.points, names);
-    std::string text;
-    appendPlainNumber(text, *answer.number);
-    return {text};
+    return {plainNumber(*answer.number)};
 }
 
 GivenAnswer emptyAnswer(const Lesson& lesson, std::size_t step) {

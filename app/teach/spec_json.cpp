@@ -22,9 +22,7 @@ using SpecJson = nlohmann::json;
 std::optional<std::string> numberTextOf(const SpecJson& value) {
     if (!value.is_number()) return std::nullopt;
     if (value.is_number_integer()) return value.dump();
-    std::string text;
-    appendPlainNumber(text, value.get<double>());
-    return text;
+    return plainNumber(value.get<double>());
 }
 
 /// A value as the text of an option; nothing if it has another type than the field.

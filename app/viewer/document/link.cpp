@@ -288,9 +288,7 @@ Status setPlay(Options& o, std::string_view text) {
 
 Text playText(const Options& o) {
     if (o.playSeconds <= 0.0) return std::nullopt;
-    std::string text;
-    appendPlainNumber(text, o.playSeconds);
-    return text;
+    return plainNumber(o.playSeconds);
 }
 
 Status setFocus(Options& o, std::string_view text) {

@@ -30,27 +30,26 @@ inline void appendNumber(std::string& text, double value) {
 #endif
 }
 
-/// appendNumber() without an exponent where that takes 17 characters at most: "500000", not
-/// "5e+05".
-inline void appendPlainNumber(std::string& text, double value) {
+/// The number as by appendNumber(), but without an exponent where that takes 17 characters at most:
+/// "500000", not "5e+05".
+inline std::string plainNumber(double value) {
 #if defined(__cpp_lib_to_chars)
     std::array<char, 17> out;
     const auto [end, problem] =
         std::to_chars(out.data(), out.data() + out.size(), value, std::chars_format::fixed);
-    if (problem == std::errc{}) {
-        text.append(out.data(), end);
-        return;
-    }
+    if (problem == std::errc{}) return {out.data(), end};
 #endif
+    std::string text;
     appendNumber(text, value);
+    return text;
 }
 
-/// The three numbers as appendPlainNumber() writes them: "500000,5400000,0.5".
-inline std::string plainNumbers(const Vec3& v, std::string_view separator) {
+/// The three numbers as plainNumber() writes them: "500000,5400000,0.5".
+inline std::string plainNumbers(const Vec3& v, std::string_view separator = ",") {
     std::string text;
     for (int i = 0; i < 3; ++i) {
         if (i > 0) text += separator;
-        appendPlainNumber(text, v[i]);
+        text += plainNumber(v[i]);
     }
     return text;
 }

@@ -222,7 +222,7 @@ bool Finding::hasRemedy() const {
 
 std::string commandOf(const Finding& finding, std::string_view input, std::string_view output) {
     std::string command = finding.check->remedy();
-    if (finding.scale) replaceOnce(command, "X,Y,Z", plainNumbers(*finding.scale, ","));
+    if (finding.scale) replaceOnce(command, "X,Y,Z", plainNumbers(*finding.scale));
     // From the end, since the name of the input may contain the placeholder.
     replaceOnce(command, "OUT.ply", output);
     replaceOnce(command, "IN", input);

@@ -113,7 +113,7 @@ std::string asOtherUnits(const NormalTrial& trial) {
             Vec3 factors(1.0);
             factors[axis] = factor;
             if (!trial.fits([&](const Vec3& n) { return factors * n; })) continue;
-            return "they fit the points in one unit: --scale-by " + plainNumbers(factors, ",") +
+            return "they fit the points in one unit: --scale-by " + plainNumbers(factors) +
                    " --derive-normals";
         }
     }

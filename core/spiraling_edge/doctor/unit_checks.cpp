@@ -114,7 +114,7 @@ UnitScale orElse(UnitScale first, const UnitScale& second) {
     first.otherwise.append(first.otherwise.empty() ? "if " : "; if ")
         .append(second.ifSo)
         .append(": --scale-by ")
-        .append(plainNumbers(second.factors, ","));
+        .append(plainNumbers(second.factors));
     return first;
 }
 

@@ -159,12 +159,6 @@ void freeUnused(PointFile& file) {
     for (Attribute& attribute : file.attributes) attribute.values.shrink_to_fit();
 }
 
-std::string plainText(double value) {
-    std::string text;
-    appendPlainNumber(text, value);
-    return text;
-}
-
 /// The shortest decimal number that reads back as this float.
 std::string floatText(float value) {
     std::array<char, 32> out{};
@@ -181,7 +175,7 @@ std::string cornerText(const Vec3& x, ScalarType type) {
     for (int i = 0; i < 3; ++i) {
         const bool wide = type == ScalarType::Double;
         text += i > 0 ? ", " : "(";
-        text += wide ? plainText(x[i]) : floatText(static_cast<float>(x[i]));
+        text += wide ? plainNumber(x[i]) : floatText(static_cast<float>(x[i]));
     }
     return text + ")";
 }

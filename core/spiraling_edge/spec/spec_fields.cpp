@@ -21,17 +21,8 @@ using Texts = std::vector<std::string>;
 const Error kNotExpected{""};
 Status validIf(bool valid) { return valid ? success() : Status(kNotExpected); }
 
-std::string plainNumber(double value) {
-    std::string text;
-    appendPlainNumber(text, value);
-    return text;
-}
-std::string plainNumbers(std::initializer_list<Vec3> vectors) {
-    std::string text;
-    for (const Vec3& v : vectors) {
-        for (int i = 0; i < 3; ++i) text.append(text.empty() ? "" : ",").append(plainNumber(v[i]));
-    }
-    return text;
+std::string cornersText(const Vec3& low, const Vec3& high) {
+    return plainNumbers(low) + "," + plainNumbers(high);
 }
 Texts listIf(bool set, const std::string& text) { return set ? Texts{text} : Texts{}; }
 
@@ -219,7 +210,7 @@ Texts boxTexts(const RunSpec& spec) {
     const WallChoice& walls = spec.walls;
     if (walls.from == WallChoice::From::File) return {};
     const bool around = walls.from == WallChoice::From::Around;
-    return {around ? "auto" : plainNumbers({walls.box.low, walls.box.high})};
+    return {around ? "auto" : cornersText(walls.box.low, walls.box.high)};
 }
 
 constexpr std::string_view kBoxExpected =
@@ -240,7 +231,7 @@ const std::array kFields{
               kBoxExpected, "the box {}", "no box", SpecGroup::Reading, SpecType::Numbers, false,
               "", setCrop,
               [](const RunSpec& s) {
-                  return s.piece.crop ? Texts{plainNumbers({s.piece.crop->low, s.piece.crop->high})}
+                  return s.piece.crop ? Texts{cornersText(s.piece.crop->low, s.piece.crop->high)}
                                       : Texts{};
               }},
     SpecField{
@@ -256,7 +247,7 @@ const std::array kFields{
         "other options but the two before mean scaled coordinates",
         "three numbers > 0 separated by commas: X,Y,Z", "scaled by {}", "not scaled",
         SpecGroup::Reading, SpecType::Numbers, false, "", setScale,
-        [](const RunSpec& s) { return listIf(s.piece.isScaled(), plainNumbers({s.piece.scale})); }},
+        [](const RunSpec& s) { return listIf(s.piece.isScaled(), plainNumbers(s.piece.scale)); }},
     SpecField{"keep_sentinels", "--keep-sentinels", "", "on",
               "Keep points far off all others where a missing value seems to be written, such as "
               "9999 or 1e30",
@@ -337,7 +328,7 @@ const std::array kFields{
         "face outward)",
         "three numbers separated by commas: X,Y,Z", "normals facing {}",
         "normals facing no scanner", SpecGroup::Derived, SpecType::Numbers, false, "", setScanner,
-        [](const RunSpec& s) { return s.scanner ? Texts{plainNumbers({*s.scanner})} : Texts{}; }},
+        [](const RunSpec& s) { return s.scanner ? Texts{plainNumbers(*s.scanner)} : Texts{}; }},
     SpecField{"box", "--box", "BOX", "",
               "Points on the walls of this box are boundary points: auto (around all points), or "
               "X0,Y0,Z0,X1,Y1,Z1",
