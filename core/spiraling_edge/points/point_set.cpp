@@ -27,7 +27,7 @@ Status checkLengths(const PointSet& points) {
         return Error{"there are " + std::to_string(n) + " positions, but " +
                      std::to_string(points.aside.size()) + " marks of points set aside"};
     }
-    return points.neighbors.divided();
+    return points.neighbors.checkDivided();
 }
 
 Status checkOrder(const PointSet& points) {

@@ -66,7 +66,7 @@ struct NeighborLists {
         return {ids.data() + offset[p], ids.data() + offset[p + 1]};
     }
     /// Fails unless `offset` divides `ids` into lists. O(lists).
-    Status divided() const {
+    Status checkDivided() const {
         if (!offset.empty() && offset.front() == 0 && offset.back() == ids.size() &&
             std::is_sorted(offset.begin(), offset.end()))
             return success();

@@ -136,7 +136,7 @@ Status checkColumns(const PointFile& file) {
     const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
     if (!fits(file.normal.size()) || !fits(file.type.size()) || !fits(file.neighbors.size()))
         return Error{"normals, types or neighbor lists are not as many as the points"};
-    return file.neighbors.divided();
+    return file.neighbors.checkDivided();
 }
 
 namespace {

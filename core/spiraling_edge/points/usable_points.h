@@ -59,7 +59,7 @@ Vec3 meanOfDirections(const std::vector<Vec3>& directions, std::size_t& averaged
 /// "12 places with several normals: the mean of them is used"; empty for none.
 std::string averagedText(std::size_t places);
 
-/// Fails if the columns of the file differ in length, the neighbor lists are not divided(), or
+/// Fails if the columns of the file differ in length, the offsets do not divide the lists, or
 /// there are too many points for an Index.
 Status checkColumns(const PointFile& file);
 
