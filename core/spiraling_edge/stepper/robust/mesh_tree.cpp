@@ -17,6 +17,11 @@ void MeshTree::Bounds::add(const Bounds& o) {
     }
 }
 
+bool MeshTree::Bounds::holds(const Bounds& o) const {
+    return low[0] <= o.low[0] && low[1] <= o.low[1] && low[2] <= o.low[2] && high[0] >= o.high[0] &&
+           high[1] >= o.high[1] && high[2] >= o.high[2];
+}
+
 MeshTree::Bounds MeshTree::bounds(const Box& box) const {
     // Far above the rounding of coordinates, which are hardly larger than 1.
     constexpr double kMargin = 1e-6;
@@ -113,10 +118,11 @@ void MeshTree::set(Index node, Index place, Index child, const Bounds& box) {
     (nodes_[node].isLeaf ? placeOf_[child] : nodes_[child].parent) = kWidth * node + place;
 }
 
-/// Grows the boxes above a node.
+/// Grows the boxes above a node, up to one that holds the box, as do those above it.
 void MeshTree::grow(Index node, const Bounds& box) {
     for (Index up = nodes_[node].parent; up != kNone; up = nodes_[up / kWidth].parent) {
         Bounds grown = nodes_[up / kWidth].box(up % kWidth);
+        if (grown.holds(box)) return;
         grown.add(box);
         nodes_[up / kWidth].setBox(up % kWidth, grown);
     }

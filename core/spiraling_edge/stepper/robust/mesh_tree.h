@@ -50,6 +50,7 @@ class MeshTree {
         std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
 
         void add(const Bounds& o);
+        bool holds(const Bounds& o) const;
         float size() const { return high[0] - low[0] + high[1] - low[1] + high[2] - low[2]; }
     };
     struct Node {
