@@ -191,11 +191,10 @@ bool inLine(const Spot& a, const Spot& b, const Spot& c) {
     return t * t <= 1e-24 * glm::dot(b - a, b - a) * glm::dot(c - a, c - a);
 }
 
-/// True if a b and c d cross. Along a straight border all four points are collinear, and signs
-/// would be those of rounding errors.
+/// True if a b and c d cross, where a and b lie on different sides of c d. Along a straight border
+/// all four points are collinear, and signs would be those of rounding errors.
 bool properlyCross(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
-    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0 &&
-           !(inLine(a, b, c) && inLine(a, b, d));
+    return turn(a, b, c) * turn(a, b, d) < 0.0 && !(inLine(a, b, c) && inLine(a, b, d));
 }
 
 /// Finds ring steps near the pivot that a new edge crosses, in the pivot's tangent plane.
@@ -241,20 +240,26 @@ class CrossingSearch {
         const Vec3 dv = context_.points.position[v] - frame_.origin;
         const Spot fu = flat(du);
         const Spot fv = flat(dv);
+        const double sideOfPivot = turn(fu, fv, {0.0, 0.0});
         Spot next = flat(fan.front().offset);
+        double sideOfNext = turn(fu, fv, next);
         for (std::size_t i = 0; i < fan.size(); ++i) {
             const Spot a = next;
-            if (i + 1 < fan.size()) next = flat(fan[i + 1].offset);
+            const double side = sideOfNext;
+            if (i + 1 < fan.size()) {
+                next = flat(fan[i + 1].offset);
+                sideOfNext = turn(fu, fv, next);
+            }
             if (fan[i].point == u || fan[i].point == v) continue;
             // Also to ring points that start and end have passed, since points between may have
             // been left out.
             const bool isNew = i > 0 && i + 1 < fan.size();
-            if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) return {Verdict::Crosses, i, false};
+            if (isNew && sideOfPivot * side < 0.0 && properlyCross({0.0, 0.0}, a, fu, fv))
+                return {Verdict::Crosses, i, false};
             if (i + 1 == fan.size() || fan[i + 1].point == u || fan[i + 1].point == v) continue;
             if (!fan[i].candidate && !fan[i + 1].candidate) continue;
-            if (properlyCross(a, next, fu, fv)) {
+            if (side * sideOfNext < 0.0 && properlyCross(a, next, fu, fv))
                 return {Verdict::Crosses, i, true};
-            }
         }
         return {};
     }
