@@ -134,8 +134,6 @@ bool hasNoFault(const PointSet& points, const RepairState& m, const MeshTree& tr
                 .any([&](Index i) { return i == t; }, [](Index) { return true; });
 }
 
-bool isKnownAsSound(const RepairState& m, Index t) { return t < m.sound.size() && m.sound[t] != 0; }
-
 }  // namespace
 
 bool isSound(const PointSet& points, RepairState& m, Index t) {

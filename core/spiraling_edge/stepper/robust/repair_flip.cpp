@@ -73,6 +73,9 @@ class FlipScore {
     }
     /// True if isSound() holds for both triangles of the edge.
     bool areSound() const { return isSound(points_, m_, h_ / 3) && isSound(points_, m_, g_ / 3); }
+    bool areKnownAsSound() const {
+        return isKnownAsSound(m_, h_ / 3) && isKnownAsSound(m_, g_ / 3);
+    }
     const Quad& quad() const { return quad_; }
 
   private:
@@ -234,7 +237,8 @@ Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, Repa
     if (clearlyStays(points, thresholds, q)) return Gain::None;
     const FlipScore score(points, m, h, q);
     bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
-    if (sound && (isRough(points, m, h / 3) || isRough(points, m, m.twin[h] / 3))) {
+    if (sound && !score.areKnownAsSound() &&
+        (isRough(points, m, h / 3) || isRough(points, m, m.twin[h] / 3))) {
         // No flip for any reason leaves more faults: asked before the search for conflicts, which
         // takes ten times as long and mostly finds none.
         if (score.after() > score.before()) return Gain::None;

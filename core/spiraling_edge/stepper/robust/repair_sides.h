@@ -111,6 +111,11 @@ int countConflicts(const PointSet& points, RepairState& m, std::span<const Trian
 /// True if the triangle is so far off the normal of a corner that it may be in conflict.
 bool isRough(const PointSet& points, const RepairState& m, Index t);
 
+/// True if RepairState::sound tells that isSound(), which takes no search then.
+inline bool isKnownAsSound(const RepairState& m, Index t) {
+    return t < m.sound.size() && m.sound[t] != 0;
+}
+
 /// True if the triangle is neither flipped nor in conflict, or was found so once since it got these
 /// corners (RepairState::sound).
 bool isSound(const PointSet& points, RepairState& m, Index t);
