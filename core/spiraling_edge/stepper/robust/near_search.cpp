@@ -164,11 +164,9 @@ void findSound(const PointSet& points, RepairState& m) {
         const auto isAcross = [&](HalfEdge other) { return other != kNone && rough[other / 3]; };
         const bool isAsked = rough[t] || isAcross(m.twin[3 * t]) || isAcross(m.twin[3 * t + 1]) ||
                              isAcross(m.twin[3 * t + 2]);
-        sound[t] = !isAsked || hasNoFault(points, m, tree, t);
+        sound[t] = isKnownAsSound(m, t) || !isAsked || hasNoFault(points, m, tree, t);
     });
-    for (Index t = 0; t < count; ++t) {
-        if (sound[t]) setSound(m, t);
-    }
+    m.sound.assign(sound);
 }
 
 }  // namespace se
