@@ -62,8 +62,8 @@ configure_asan() { cmake --preset asan -B build-test/asan; }
 # Core's own tests run in the other build, but for the long ones; tests/cli compares golden logs of the two.
 lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests teach_tests long_tests core_bench viewer_bench driven-viewer agreement
     spiraling_edge_python)
-# As fast as -O2 in most of core, built in two thirds of the time, but one warning gives false alarms. The consumer
-# below builds core as the programs do.
+# Core runs as fast as with -O2, and is built in three quarters of the time, but one warning gives false alarms. The
+# consumer below builds core as the programs do.
 lean_flags=(-DSPIRALING_EDGE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -Wno-maybe-uninitialized")
 configure_lean() {
     cmake --preset release -B build-test/lean -DSPIRALING_EDGE_BUILD_TESTS=ON \
@@ -100,7 +100,7 @@ meanwhile() {
 }
 
 export CMAKE_BUILD_PARALLEL_LEVEL=$jobs
-# Short stacks of allocations and few freed blocks kept: a fifth of the time of core's tests.
+# Short stacks of allocations and few freed blocks kept: core's tests take a fifth less time.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:malloc_context_size=5:quarantine_size_mb=16
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 step packages .ci/packages.sh test
