@@ -267,21 +267,18 @@ wrong_orders_are_refused_before_any_work() {
 a_drawing_looks_as_the_picture() {
     needs rsvg-convert
     needs compare
-    local at theme
-    while read -r at theme; do
-        expect 0 "${at%:*}" --goto "${at##*:}" --theme "$theme" -o a.svg
-        expect 0 "${at%:*}" --goto "${at##*:}" --theme "$theme" -o a.png
-        rsvg-convert a.svg -o b.png || fail "rsvg-convert refuses the drawing of $at"
-        # Hatching is a tone: its lines need not be at the same pixels.
-        for picture in a b; do convert $picture.png -blur 0x2 $picture-tones.png; done
-        alike a-tones.png b-tones.png 0.01
-    done <<'PICTURES'
-scene:figure-8:9.sphere.2 dark
-scene:figure-8:9.sphere.2 light
-scene:figure-12:35.split.1 light
-scene:torus:50% dark
-scene:sphere:100% light
-PICTURES
+    local scene at
+    for scene in figure-8:9.sphere.2 figure-12:35.split.1 torus:50% sphere:100%; do
+        at=${scene#*:}
+        for theme in dark light; do
+            expect 0 "scene:${scene%:*}" --goto "$at" --theme $theme -o a.svg
+            expect 0 "scene:${scene%:*}" --goto "$at" --theme $theme -o a.png
+            rsvg-convert a.svg -o b.png || fail "rsvg-convert refuses the drawing of $scene"
+            # Hatching is a tone: its lines need not be at the same pixels.
+            for picture in a b; do convert $picture.png -blur 0x2 $picture-tones.png; done
+            alike a-tones.png b-tones.png 0.01
+        done
+    done
 }
 
 a_drawing_has_layers_text_and_points() {

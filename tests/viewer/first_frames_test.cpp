@@ -121,8 +121,7 @@ constexpr int kF8 = key::kF1 + 7;
 
 }  // namespace
 
-TEST_CASE("Every frame shows the view, from the first one on, whatever changes its size" *
-          doctest::test_suite("pictures")) {
+TEST_CASE("Every frame shows the view, from the first one on, whatever changes its size") {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
     struct Case {

@@ -50,8 +50,7 @@ Options optionsFor(const char* scene, const char* address) {
 
 }  // namespace
 
-TEST_CASE("A picture in tiles equals the whole one, across all seams" *
-          doctest::test_suite("pictures")) {
+TEST_CASE("A picture in tiles equals the whole one, across all seams") {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
     // Hatched triangles, labels and lines; shaded surfaces; points too close for shapes.
