@@ -1,7 +1,8 @@
 /// Fit by angles at planar places. Sides without a global orientation: sheets are connected sets of
 /// points whose normals agree; two sheets contradict each other where they continue in one plane
 /// with opposite normals. Where the contradictions are more than noise can explain, the smaller
-/// sheet counts as flipped. O(points times list).
+/// sheet counts as flipped; then single points against nearly all beside them, which are found at
+/// edges, too. O(points times list).
 #include "spiraling_edge/prepare/given_normals.h"
 
 #include <algorithm>
@@ -21,6 +22,8 @@ namespace se {
 namespace {
 
 constexpr std::size_t kMeasuredPerThread = 1024;
+/// Over or under a tangent plane, as a share of the distance between two points.
+constexpr double kClearHeight = 0.1;
 
 /// True if the neighbors of p, seen along `normal`, leave no gap over 90 degrees: the points are of
 /// a surface there, not of its edges alone.
@@ -198,10 +201,9 @@ struct Conflict {
 /// sides of a plate; 0 if neither is clear. Where a flipped sheet bends, one lies over and one
 /// under.
 int facingOf(const GivenNormals& given, Index p, Index q) {
-    constexpr double kClear = 0.1;
     const Vec3 offset = given.position[q] - given.position[p];
     const double height = glm::dot(offset, given.normal[p] - given.normal[q]);
-    const double least = kClear * glm::length(offset);
+    const double least = kClearHeight * glm::length(offset);
     return height > least ? 1 : height < -least ? -1 : 0;
 }
 
@@ -276,6 +278,74 @@ std::map<Index, bool> flippedAmong(const OpposingSheets& opposingSheets,
     return flipped;
 }
 
+// ---- single points ------------------------------------------------------------------------------
+
+/// Bounds of standsAgainstAll(), chosen on half of the shared sets with normals turned at random,
+/// and judged on the others (docs/doctor.md).
+struct SingleLimits {
+    double steep = 0.70710678118654752;  ///< 45 degrees over or under a point: none beside it.
+    double clear = 0.5;                  ///< 60 degrees: the least that says something.
+    std::size_t least = 6;               ///< Points against it,
+    double agreeing = 0.1;               ///< and at most this share of them agree,
+    double apart = 0.5;                  ///< and less than this share lie on another sheet.
+};
+constexpr SingleLimits kSingle{};
+
+/// Neighbors of a point by what they say of its side.
+struct SideVotes {
+    std::size_t against = 0;
+    std::size_t agreeing = 0;
+    std::size_t over = 0;   ///< Each over the other's tangent plane, as in a slot,
+    std::size_t under = 0;  ///< or under it, as on a plate.
+
+    /// Counts a neighbor in the unit direction `along`; `a` and `b` are the two normals. One is
+    /// mirrored halfway between the points (orientation.h), which holds at edges, where no plane
+    /// goes on.
+    void add(const Vec3& along, const Vec3& a, const Vec3& b) {
+        const double rise = glm::dot(along, a);
+        const double back = -glm::dot(along, b);
+        if (std::max(std::abs(rise), std::abs(back)) > kSingle.steep) return;
+        const double cosine = glm::dot(a - 2.0 * rise * along, b);
+        if (std::abs(cosine) < kSingle.clear) return;
+        ++(cosine < 0.0 ? against : agreeing);
+        over += std::min(rise, back) > kClearHeight ? 1U : 0U;
+        under += std::max(rise, back) < -kClearHeight ? 1U : 0U;
+    }
+    bool isClear() const {
+        const auto all = static_cast<double>(against);
+        return against >= kSingle.least &&
+               static_cast<double>(agreeing) <= kSingle.agreeing * all &&
+               static_cast<double>(std::max(over, under)) < kSingle.apart * all;
+    }
+};
+
+/// True if nearly all points beside p have the opposite side, and p is none of a second sheet.
+bool standsAgainstAll(const GivenNormals& given, const std::vector<bool>& flipped, Index p) {
+    const auto side = [&](Index q) { return flipped[q] ? -given.normal[q] : given.normal[q]; };
+    SideVotes votes;
+    for (const Index q : given.nearest[p]) {
+        const Vec3 offset = given.position[q] - given.position[p];
+        const double length = glm::length(offset);
+        if (given.hasNormal(q) && length > 0.0) votes.add(offset / length, side(p), side(q));
+    }
+    return votes.isClear();
+}
+
+/// Turns single points that sheets say nothing of. What is turned may tell of the next ones: in a
+/// few rounds, all of one by the same sides.
+void turnSinglePoints(const GivenNormals& given, std::vector<bool>& flipped) {
+    constexpr int kRounds = 4;
+    std::vector<Index> found;
+    for (int round = 0; round < kRounds; ++round) {
+        found.clear();
+        for (Index p = 0; p < given.size(); ++p) {
+            if (given.hasNormal(p) && standsAgainstAll(given, flipped, p)) found.push_back(p);
+        }
+        if (found.empty()) return;
+        for (const Index p : found) flipped[p] = !flipped[p];
+    }
+}
+
 }  // namespace
 
 Sides sidesOf(const GivenNormals& given) {
@@ -292,6 +362,7 @@ Sides sidesOf(const GivenNormals& given) {
         const auto sheet = flipped.find(sheets.find(p));
         sides.flipped[p] = sheet != flipped.end() && sheet->second;
     }
+    turnSinglePoints(given, sides.flipped);
     for (const auto& [sheet, others] : opposingSheets) {
         for (const Index other : others) sheets.unite(sheet, other);
     }

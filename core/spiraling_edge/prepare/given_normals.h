@@ -75,7 +75,8 @@ struct Sides {
     std::vector<bool> flipped;     ///< Against the rest of the component.
 };
 /// The sides of given normals. Patches of points whose normals agree, in one sheet, contradict each
-/// other where the sheet goes on with the opposite normal; the smaller of two is flipped.
+/// other where the sheet goes on with the opposite normal; the smaller of two is flipped. So is a
+/// single point against nearly all beside it.
 Sides sidesOf(const GivenNormals& given);
 
 }  // namespace se
