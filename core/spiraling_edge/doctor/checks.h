@@ -175,6 +175,9 @@ std::optional<Finding> findExtremeSize(const ExaminedFile& examined);
 std::optional<Finding> findTwins(const ExaminedFile& examined);
 std::optional<Finding> findLines(const ExaminedFile& examined);
 
+// curve_checks.cpp
+std::optional<Finding> findCurves(const ExaminedFile& examined);
+
 // digit_checks.cpp
 std::optional<Finding> findLostDigits(const ExaminedFile& examined);
 

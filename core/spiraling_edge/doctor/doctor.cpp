@@ -54,6 +54,10 @@ constexpr std::array kChecks{
                 "Points were moved by up to half a step: write the file again with more digits, or "
                 "subtract an offset first.",
                 Fix::None, findLostDigits},
+    DoctorCheck{"curves", "3",
+                "A mesh needs points all over a surface: scan the surface itself, or add slices "
+                "near these.",
+                Fix::None, findCurves},
     DoctorCheck{"twins", "6.1",
                 "The order about a point is chance where another is so near: keep one of each "
                 "pair.",
@@ -128,13 +132,17 @@ constexpr std::array kChecks{
 /// in other words, with remedies that do not help.
 struct Consequences {
     std::string_view cause;
-    std::array<std::string_view, 13> checks;
+    std::array<std::string_view, 15> checks;
 };
 constexpr std::array kConsequences{
     Consequences{"mixed_units",
-                 {"near_duplicates", "isolated_points", "in_line", "twins", "lines",
+                 {"near_duplicates", "isolated_points", "in_line", "curves", "twins", "lines",
                   "uneven_spacing", "noise", "two_layers", "ties", "unfit_normals",
                   "flipped_normals", "inside_out", "close_sheets"}},
+    Consequences{"curves",
+                 {"near_duplicates", "isolated_points", "in_line", "twins", "lines",
+                  "uneven_spacing", "noise", "two_layers", "ties", "no_normals", "unfit_normals",
+                  "flipped_normals", "inside_out", "close_sheets", "open_border"}},
     Consequences{"lines", {"open_border"}},
     Consequences{"lost_digits", {"near_duplicates", "twins", "lines", "noise", "two_layers"}},
 };
