@@ -52,9 +52,15 @@ void MeshTree::Node::setBox(std::size_t place, const Bounds& box) {
 
 /// Around the boxes of all children.
 MeshTree::Bounds MeshTree::Node::all() const {
-    Bounds sum;
-    for (std::size_t i = 0; i < kWidth; ++i) sum.add(box(i));
-    return sum;
+    // From kFar on, so that a coordinate that is not a number counts for none.
+    const auto least = [](const std::array<float, kWidth>& of) {
+        return std::min(std::min(std::min(std::min(kFar, of[0]), of[1]), of[2]), of[3]);
+    };
+    const auto most = [](const std::array<float, kWidth>& of) {
+        return std::max(std::max(std::max(std::max(-kFar, of[0]), of[1]), of[2]), of[3]);
+    };
+    return {{least(low[0]), least(low[1]), least(low[2])},
+            {most(high[0]), most(high[1]), most(high[2])}};
 }
 
 namespace {
@@ -63,14 +69,37 @@ constexpr std::size_t kTrianglesPerThread = 1 << 12;
 /// Levels above the leaves, of 2^32 triangles.
 constexpr std::size_t kMaxLevels = 16;
 
-/// The middle of the box of each triangle.
-std::vector<Vec3> middlesOf(const PointSet& points, std::span<const Triangle> triangles) {
-    std::vector<Vec3> middles(triangles.size());
-    forEachItem(triangles.size(), 0, kTrianglesPerThread, [&](std::size_t i) {
-        const Box box = boxOf(points, triangles[i]);
-        middles[i] = 0.5 * (box.low + box.high);
-    });
-    return middles;
+/// The triangles of one leaf; kNone for those that it lacks.
+using Group = std::array<Index, MeshTree::kWidth>;
+
+/// The triangles in runs that follow each other in the list, the first corner of each one of the
+/// triangle before it, as in a fan. Runs that are neighbors on a Gray-code curve share a group.
+std::vector<Group> groupsOf(const PointSet& points, std::span<const Triangle> triangles) {
+    std::vector<Index> firstOf;
+    std::vector<Vec3> place;
+    for (Index t = 0; t < triangles.size(); ++t) {
+        const Index first = triangles[t].a;
+        const auto holdsFirst = [&](const Triangle& o) {
+            return first == o.a || first == o.b || first == o.c;
+        };
+        if (t > 0 && t - firstOf.back() < MeshTree::kWidth && holdsFirst(triangles[t - 1]))
+            continue;
+        firstOf.push_back(t);
+        place.push_back(points.position[first]);
+    }
+    firstOf.push_back(static_cast<Index>(triangles.size()));
+    std::vector<Group> groups;
+    groups.reserve(triangles.size() / 2);
+    std::size_t room = 0;
+    for (const Index run : grayCurveOrder(place)) {
+        if (firstOf[run + 1] - firstOf[run] > room) {
+            groups.emplace_back().fill(kNone);
+            room = MeshTree::kWidth;
+        }
+        for (Index t = firstOf[run]; t < firstOf[run + 1]; ++t)
+            groups.back()[MeshTree::kWidth - room--] = t;
+    }
+    return groups;
 }
 
 }  // namespace
@@ -87,18 +116,15 @@ MeshTree::MeshTree(const PointSet& points, std::span<const Triangle> triangles)
     const Vec3 sides = all ? all->high - all->low : Vec3(0.0);
     const double extent = std::max({sides.x, sides.y, sides.z});
     if (extent > 0.0 && 1.0 / extent < std::numeric_limits<double>::max()) scale_ = 1.0 / extent;
-    const std::vector<Index> order = grayCurveOrder(middlesOf(points, triangles));
+    const std::vector<Group> groups = groupsOf(points, triangles);
     // A level after the other, from the leaves on.
-    const std::size_t leaves = std::max<std::size_t>(1, (order.size() + kWidth - 1) / kWidth);
+    const std::size_t leaves = std::max<std::size_t>(1, groups.size());
     nodes_.reserve(leaves + leaves / (kWidth - 1) + kMaxLevels);
     nodes_.resize(leaves);
-    forEachItem(leaves, 0, kTrianglesPerThread / kWidth, [&](std::size_t leaf) {
-        const std::size_t first = kWidth * leaf;
-        for (std::size_t i = first; i < std::min(first + kWidth, order.size()); ++i) {
-            const Index t = order[i];
-            set(static_cast<Index>(leaf), static_cast<Index>(i - first), t,
-                bounds(conflictBox(points, triangles[t])));
-        }
+    forEachItem(groups.size(), 0, kTrianglesPerThread / kWidth, [&](std::size_t leaf) {
+        for (Index i = 0; i < kWidth && groups[leaf][i] != kNone; ++i)
+            set(static_cast<Index>(leaf), i, groups[leaf][i],
+                bounds(conflictBox(points, triangles[groups[leaf][i]])));
     });
     Index begin = 0;
     auto end = static_cast<Index>(nodes_.size());

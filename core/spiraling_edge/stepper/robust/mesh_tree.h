@@ -13,12 +13,16 @@
 
 namespace se {
 
-/// A tree of boxes over triangles, in the order of a Gray-code curve at first. A triangle that is
-/// put later goes where the boxes grow the least (Guttman 1984, R-trees), unless it stays near; the
-/// boxes of nodes never shrink, until it isWorn(). Which triangles a search finds does not depend
-/// on earlier changes, the order in which it visits them does.
+/// A tree of boxes over triangles. At first its leaves hold triangles that follow each other in the
+/// list and share corners, along a Gray-code curve: a list of fans holds most neighbors together. A
+/// triangle that is put later goes where the boxes grow the least (Guttman 1984, R-trees), unless
+/// it stays near; the boxes of nodes never shrink, until it isWorn(). Which triangles a search
+/// finds does not depend on earlier changes, the order in which it visits them does.
 class MeshTree {
   public:
+    /// Children of a node.
+    static constexpr Index kWidth = 4;
+
     /// The points must outlive it.
     MeshTree(const PointSet& points, std::span<const Triangle> triangles);
 
@@ -39,7 +43,6 @@ class MeshTree {
     }
 
   private:
-    static constexpr Index kWidth = 4;
     /// A tree is worn with one added leaf among this many nodes.
     static constexpr std::size_t kMostAdded = 16;
 
