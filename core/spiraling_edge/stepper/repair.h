@@ -42,12 +42,24 @@ struct MeshIndex {
     std::vector<Index> changed;        ///< Triangles that changed since.
 };
 
-/// Edges at the front of the queue that were looked at in advance.
+/// The direction and shape of a triangle that clearlyFaces() by kRough, as most do.
+struct FacingTriangle {
+    std::array<float, 3> normal{};  ///< Of unit length.
+    /// Of the least angle; kFacesNot for a triangle that does not face them, kUnknown for one that
+    /// was not tested.
+    float cosine = kUnknown;
+
+    static constexpr float kFacesNot = 2;
+    static constexpr float kUnknown = 3;
+};
+
+/// What flips look at in advance: all triangles, and edges at the front of the queue.
 struct FlipsAhead {
     const PointSet* points = nullptr;
-    std::size_t from = 0;               ///< The first one: a position in RepairState::queue.
+    std::vector<FacingTriangle> faces;  ///< Per triangle.
+    std::size_t from = 0;               ///< The first edge: a position in RepairState::queue.
     std::vector<std::uint8_t> stays;    ///< 1: it is not flipped unless a triangle at it changes.
-    std::vector<std::uint8_t> changed;  ///< Per triangle: 1 if it changed since.
+    std::vector<std::uint8_t> changed;  ///< Per triangle: 1 if it changed since `stays`.
 };
 
 /// Corners about which RobustRules::remesh found nothing.

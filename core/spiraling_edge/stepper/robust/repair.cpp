@@ -149,6 +149,7 @@ void RepairState::setTriangle(Index t, const Triangle& corners) {
     if (t < sound.size() && sound[t] != 0) sound.set(t, 0);
     if (near.tree != nullptr) near.changed.push_back(t);
     if (t < flipsAhead.changed.size()) flipsAhead.changed[t] = 1;
+    if (t < flipsAhead.faces.size()) flipsAhead.faces[t] = {};
 }
 
 void RepairState::popTriangle() {

@@ -136,45 +136,39 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
 /// The cosine of the least angle of a triangle, by the squared lengths of its edges, up to
 /// rounding: the angle across the shortest edge.
 double leastAngleCosine(double a, double b, double c) {
-    if (b < a) std::swap(a, b);
-    if (c < a) std::swap(a, c);
-    return 0.5 * (b + c - a) / std::sqrt(b * c);
+    const double shorter = std::min(a, b);
+    const double longer = std::max(a, b);
+    const double other = std::max(shorter, c);
+    return 0.5 * (longer + other - std::min(shorter, c)) / std::sqrt(longer * other);
 }
 
+double squaredDistance(const Vec3& a, const Vec3& b) { return glm::dot(b - a, b - a); }
+
 /// An edge of two triangles clearly within the limits of isSteep() and isFlat(), whose angles are
-/// clearly not better flipped: most edges, at a fraction of the cost. Its margins are far above the
+/// clearly not better flipped: most edges, at a fraction of the cost. Its margin is far above the
 /// rounding of these values.
-bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
-    const Vec3& u = points.position[q.u];
-    const Vec3 v = points.position[q.v] - u;
-    const Vec3 x = points.position[q.x] - u;
-    const Vec3 y = points.position[q.y] - u;
-    const Vec3 left = glm::cross(v, x);
-    const Vec3 right = glm::cross(y, v);
-    const double leftSq = glm::dot(left, left);
-    const double rightSq = glm::dot(right, right);
-    const double vSq = glm::dot(v, v);
-    const double xSq = glm::dot(x, x);
-    const double ySq = glm::dot(y, y);
-    constexpr double kMargin = 1e-6;
-    const auto isWide = [](double areaSq, double edges) { return areaSq > 1e-8 * edges * edges; };
-    if (!isWide(leftSq, vSq + xSq) || !isWide(rightSq, vSq + ySq)) return false;
-    const double leftSize = std::sqrt(leftSq);
-    const double rightSize = std::sqrt(rightSq);
-    if (glm::dot(left, right) < (thresholds.flipFlatCosine + kMargin) * leftSize * rightSize)
-        return false;
-    const auto faces = [&](const Vec3& area, double size, Index corner) {
-        return glm::dot(area, points.normal[corner]) > (kRough + kMargin) * size;
+bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds,
+                  const FacingTriangle& left, const FacingTriangle& right, const Quad& q) {
+    constexpr float kMargin = 1e-6F;
+    const float now = std::max(left.cosine, right.cosine) + kMargin;
+    if (now > FacingTriangle::kFacesNot) return false;
+    const float along = left.normal[0] * right.normal[0] + left.normal[1] * right.normal[1] +
+                        left.normal[2] * right.normal[2];
+    if (along < thresholds.flipFlatCosine + double{kMargin}) return false;
+    const Vec3& x = points.position[q.x];
+    const Vec3& y = points.position[q.y];
+    const double xySq = squaredDistance(x, y);
+    const auto isNarrow = [&](const Vec3& other) {
+        return leastAngleCosine(xySq, squaredDistance(x, other), squaredDistance(y, other)) > now;
     };
-    if (!faces(left, leftSize, q.u) || !faces(left, leftSize, q.v) || !faces(left, leftSize, q.x) ||
-        !faces(right, rightSize, q.u) || !faces(right, rightSize, q.v) ||
-        !faces(right, rightSize, q.y))
-        return false;
-    const double vxSq = glm::dot(x - v, x - v);
-    const double vySq = glm::dot(y - v, y - v);
-    const double xySq = glm::dot(y - x, y - x);
-    const double now = std::max(leastAngleCosine(vSq, xSq, vxSq), leastAngleCosine(vSq, ySq, vySq));
-    return leastAngleCosine(xySq, xSq, ySq) > now || leastAngleCosine(xySq, vxSq, vySq) > now;
+    return isNarrow(points.position[q.u]) || isNarrow(points.position[q.v]);
+}
+
+/// The triangle's FlipsAhead::faces, made if it is not known.
+const FacingTriangle& facing(const PointSet& points, RepairState& m, Index t) {
+    FacingTriangle& known = m.flipsAhead.faces[t];
+    if (known.cosine == FacingTriangle::kUnknown) known = facingTriangle(points, m.triangles[t]);
+    return known;
 }
 
 /// Sides of the queue that are looked at in advance, at once.
@@ -185,11 +179,12 @@ constexpr std::size_t kAheadPerThread = 1 << 12;
 /// Looks at the next sides of a long queue on all cores. Most edges stay, whatever flips come
 /// before; the others are decided one after the other.
 void lookAhead(const PointSet& points, const RobustThresholds& thresholds, RepairState& m) {
+    const std::size_t count = std::min(kAhead, m.queue.size() - m.queueFront);
+    if (count < 2 * kAheadPerThread) return;
     FlipsAhead& ahead = m.flipsAhead;
     const bool known = ahead.points == &points && m.queueFront >= ahead.from &&
                        m.queueFront < ahead.from + ahead.stays.size();
-    const std::size_t count = std::min(kAhead, m.queue.size() - m.queueFront);
-    if (known || count < 2 * kAheadPerThread || threadCount(0) < 2) return;
+    if (known || threadCount(0) < 2) return;
     ahead.points = &points;
     ahead.from = m.queueFront;
     ahead.stays.assign(count, 0);
@@ -197,7 +192,10 @@ void lookAhead(const PointSet& points, const RobustThresholds& thresholds, Repai
     forEachItem(count, 0, kAheadPerThread, [&](std::size_t i) {
         const HalfEdge h = m.queue[ahead.from + i];
         if (h >= m.twin.size() || m.twin[h] == kNone) return;
-        if (clearlyStays(points, thresholds, quadAt(m, h))) ahead.stays[i] = 1;
+        // Of a triangle that changed they are found when it is the edge's turn.
+        const FacingTriangle& left = ahead.faces[h / 3];
+        const FacingTriangle& right = ahead.faces[m.twin[h] / 3];
+        if (clearlyStays(points, thresholds, left, right, quadAt(m, h))) ahead.stays[i] = 1;
     });
 }
 
@@ -231,10 +229,12 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
 
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
                 HalfEdge h, const Quad& q) {
+    const FacingTriangle& left = facing(points, m, h / 3);
+    const FacingTriangle& right = facing(points, m, m.twin[h] / 3);
+    if (clearlyStays(points, thresholds, left, right, q)) return Gain::None;
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return Gain::None;
     }
-    if (clearlyStays(points, thresholds, q)) return Gain::None;
     const FlipScore score(points, m, h, q);
     bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
     if (sound && !score.areKnownAsSound() &&
@@ -277,10 +277,24 @@ void flipEdge(RepairState& m, HalfEdge h, const Quad& q) {
 
 }  // namespace
 
+FacingTriangle facingTriangle(const PointSet& points, const Triangle& t) {
+    if (!clearlyFaces(points, t, kRough)) return {{}, FacingTriangle::kFacesNot};
+    const Vec3 ab = points.position[t.b] - points.position[t.a];
+    const Vec3 ac = points.position[t.c] - points.position[t.a];
+    const Vec3 area = glm::cross(ab, ac);
+    const Vec3 n = area / std::sqrt(glm::dot(area, area));
+    const double cosine =
+        leastAngleCosine(glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(ac - ab, ac - ab));
+    return {{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)},
+            static_cast<float>(cosine)};
+}
+
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& m) {
     m.conflictFlips.resize(m.triangles.size(), 0);
     if (m.round == 0 && m.queueFront == 0) findSound(points, m);
+    if (m.flipsAhead.points != &points) m.flipsAhead = {&points, {}, 0, {}, {}};
+    m.flipsAhead.faces.resize(m.triangles.size());
     while (m.queueFront < m.queue.size()) {
         lookAhead(points, thresholds, m);
         const std::size_t place = m.queueFront++;

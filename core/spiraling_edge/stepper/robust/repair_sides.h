@@ -111,6 +111,9 @@ int countConflicts(const PointSet& points, RepairState& m, std::span<const Trian
 /// True if the triangle is so far off the normal of a corner that it may be in conflict.
 bool isRough(const PointSet& points, const RepairState& m, Index t);
 
+/// The direction and shape of a triangle as it is now.
+FacingTriangle facingTriangle(const PointSet& points, const Triangle& t);
+
 /// True if RepairState::sound tells that isSound(), which takes no search then.
 inline bool isKnownAsSound(const RepairState& m, Index t) {
     return t < m.sound.size() && m.sound[t] != 0;
