@@ -30,7 +30,7 @@ void forEachList(Repair& m, const Work& work) {
     work(m.pinchedSides);
 }
 
-/// Fewest triangles or points that are worth a thread of their own.
+/// Fewest points that are worth a thread of their own.
 constexpr std::size_t kItemsPerThread = 1 << 15;
 
 /// The side u -> v, if there is exactly one; else kNone.
@@ -47,19 +47,29 @@ HalfEdge onlySide(const EdgeTable& table, Index u, Index v) {
 /// RepairState::twin.
 std::vector<HalfEdge> findTwins(const std::vector<Triangle>& triangles, const EdgeTable& table) {
     std::vector<HalfEdge> twin(3 * triangles.size(), kNone);
-    forEachItem(triangles.size(), 0, kItemsPerThread, [&](std::size_t i) {
-        const std::array<Index, 3> c{triangles[i].a, triangles[i].b, triangles[i].c};
+    // Found from two sides, or from one of the same triangle: none of these has a twin.
+    std::vector<HalfEdge> shared;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto& [a, b, c] = triangles[i];
+        const std::array corner{a, b, c, a};
         for (std::size_t k = 0; k < 3; ++k) {
-            const Index u = c[k];
-            const Index v = c[(k + 1) % 3];
+            const Index u = corner[k];
+            const Index v = corner[k + 1];
             if (u >= v) continue;  // Found from the other side.
-            const auto h = static_cast<HalfEdge>(3 * i + k);
             const HalfEdge other = onlySide(table, v, u);
-            if (other == kNone || other / 3 == i || onlySide(table, u, v) != h) continue;
-            twin[h] = other;
-            twin[other] = h;
+            if (other == kNone) continue;
+            if (other / 3 == i || twin[other] != kNone) {
+                shared.push_back(other);
+            } else {
+                twin[other] = static_cast<HalfEdge>(3 * i + k);
+                twin[twin[other]] = other;
+            }
         }
-    });
+    }
+    for (const HalfEdge side : shared) {
+        const HalfEdge other = std::exchange(twin[side], kNone);
+        if (other != kNone) twin[other] = kNone;
+    }
     return twin;
 }
 
@@ -194,11 +204,12 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
     m.twin = findTwins(triangles, table);
     m.sideOf = newestSides(table, pointCount);
     m.pinched = findPinched(m, table);
-    std::vector<HalfEdge> queue;
-    queue.reserve(3 * triangles.size() / 2);
+    std::vector<HalfEdge> queue(m.twin.size() / 2);
+    std::size_t count = 0;
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        if (m.twin[h] != kNone && h < m.twin[h]) queue.push_back(h);
+        if (m.twin[h] != kNone && h < m.twin[h]) queue[count++] = h;
     }
+    queue.resize(count);
     m.queue = std::move(queue);
     return m;
 }
