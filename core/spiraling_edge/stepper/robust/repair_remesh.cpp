@@ -60,7 +60,7 @@ bool remeshAroundCorners(const PointSet& points, RepairState& m, const Triangle&
 
 std::optional<RemeshEvidence> remeshNext(const PointSet& points, RepairState& m) {
     for (; m.next < m.triangles.size(); ++m.next) {
-        if (!isFaulty(points, m, m.next)) continue;
+        if (isKnownAsSound(m, m.next) || !isFaulty(points, m, m.next)) continue;
         const Triangle faulty = m.triangles[m.next];
         const bool isSettling = m.round == kSettlingRound;
         if (!remeshAround(points, m, m.next) &&
