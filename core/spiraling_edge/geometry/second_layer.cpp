@@ -128,8 +128,9 @@ bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& 
     const double margin = 1e-9 * (shapeA.reach + shapeB.reach) * (shapeA.reach + shapeB.reach);
     const bool haveArea = std::abs(glm::dot(shapeA.normal, along)) > margin &&
                           std::abs(glm::dot(shapeB.normal, along)) > margin;
-    return haveArea && (liesBeyondEdge(points, a, shapeA.normal, b, along, margin) ||
-                        liesBeyondEdge(points, b, shapeB.normal, a, along, margin));
+    // Callers mostly know that the edges of `a` are no answer.
+    return haveArea && (liesBeyondEdge(points, b, shapeB.normal, a, along, margin) ||
+                        liesBeyondEdge(points, a, shapeA.normal, b, along, margin));
 }
 
 namespace {
