@@ -160,7 +160,7 @@ bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& sh
 }
 
 /// The reach of a triangle (LayerShape::reach).
-double reachOf(const PointSet& points, const Triangle& t) {
+inline double reachOf(const PointSet& points, const Triangle& t) {
     const Vec3& a = points.position[t.a];
     const Vec3& b = points.position[t.b];
     const Vec3& c = points.position[t.c];
@@ -168,7 +168,7 @@ double reachOf(const PointSet& points, const Triangle& t) {
 }
 
 /// The most that a direction within 22.5 degrees of a unit vector has along an axis.
-double mostAlong(double unit) {
+inline double mostAlong(double unit) {
     constexpr double kCosine = 0.92387953251128674;
     constexpr double kSine = 0.38268343236508977;
     const double along = std::abs(unit);
@@ -177,7 +177,7 @@ double mostAlong(double unit) {
 }
 
 /// The box, grown by the reach along directions near a unit vector.
-Box grownAlong(const Box& box, const Vec3& unit, double reach) {
+inline Box grownAlong(const Box& box, const Vec3& unit, double reach) {
     constexpr double kMargin = 1.0 + 1e-9;  // Far above the rounding of a unit vector.
     return box.grown(kMargin * reach *
                      Vec3(mostAlong(unit.x), mostAlong(unit.y), mostAlong(unit.z)));
