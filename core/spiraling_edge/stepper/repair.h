@@ -53,13 +53,10 @@ struct FacingTriangle {
     static constexpr float kUnknown = 3;
 };
 
-/// What flips look at in advance: all triangles, and edges at the front of the queue.
-struct FlipsAhead {
+/// The triangles that flips look at, each found once for its three edges.
+struct FacingTriangles {
     const PointSet* points = nullptr;
-    std::vector<FacingTriangle> faces;  ///< Per triangle.
-    std::size_t from = 0;               ///< The first edge: a position in RepairState::queue.
-    std::vector<std::uint8_t> stays;    ///< 1: it is not flipped unless a triangle at it changes.
-    std::vector<std::uint8_t> changed;  ///< Per triangle: 1 if it changed since `stays`.
+    std::vector<FacingTriangle> at;  ///< Per triangle.
 };
 
 /// Corners about which RobustRules::remesh found nothing.
@@ -112,7 +109,7 @@ struct RepairState : RepairNumbers {
     JournaledList<PinchedSide> pinchedSides;
     // Not in the journal, since they follow from the rest:
     MeshIndex near;
-    FlipsAhead flipsAhead;
+    FacingTriangles facing;
     FailedCorners failedCorners;
 
     bool empty() const { return triangles.empty(); }

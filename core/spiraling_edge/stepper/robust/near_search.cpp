@@ -153,14 +153,14 @@ bool isFaulty(const PointSet& points, RepairState& m, Index t) {
 void findSound(const PointSet& points, RepairState& m) {
     constexpr std::size_t kPerThread = 1 << 10;
     const std::size_t count = m.triangles.size();
-    std::vector<FacingTriangle> faces(count);
+    m.facing = {&points, std::vector<FacingTriangle>(count)};
     std::vector<std::uint8_t> rough(count);
     forEachItem(count, 0, kPerThread, [&](std::size_t t) {
-        faces[t] = facingTriangle(points, m.triangles[t]);
+        FacingTriangle& facing = m.facing.at[t];
+        facing = facingTriangle(points, m.triangles[t]);
         rough[t] =
-            faces[t].cosine == FacingTriangle::kFacesNot && isSteep(points, m.triangles[t], kRough);
+            facing.cosine == FacingTriangle::kFacesNot && isSteep(points, m.triangles[t], kRough);
     });
-    m.flipsAhead = {&points, std::move(faces), 0, {}, {}};
     if (std::find(rough.begin(), rough.end(), 1) == rough.end()) return;
     const MeshTree& tree = treeOf(points, m);
     std::vector<std::uint8_t> sound(count);

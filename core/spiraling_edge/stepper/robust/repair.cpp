@@ -158,8 +158,7 @@ void RepairState::setTriangle(Index t, const Triangle& corners) {
     }
     if (t < sound.size() && sound[t] != 0) sound.set(t, 0);
     if (near.tree != nullptr) near.changed.push_back(t);
-    if (t < flipsAhead.changed.size()) flipsAhead.changed[t] = 1;
-    if (t < flipsAhead.faces.size()) flipsAhead.faces[t] = {};
+    if (t < facing.at.size()) facing.at[t] = {};
 }
 
 void RepairState::popTriangle() {
@@ -181,7 +180,7 @@ RepairPlace RepairState::place() const {
 
 void RepairState::moveTo(const RepairPlace& place) {
     static_cast<RepairNumbers&>(*this) = place.numbers;
-    flipsAhead = {};
+    facing = {};
     failedCorners = {};
     auto changes = place.changes.begin();
     triangles.moveTo(*changes, [&](std::size_t t) {

@@ -1,14 +1,13 @@
 /// RobustRules::flip: flips edges where that leaves fewer faults or better angles, one edge at a
 /// time; a flip queues the four edges around it. An edge costs O(triangles at its four points), and
 /// with a search for meetings also those at their neighbors. Most edges stay by a test of their
-/// four points alone, which is made in advance on all cores.
+/// four points and of the direction of their two triangles, which is found on all cores.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -164,46 +163,11 @@ bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds,
     return isNarrow(points.position[q.u]) || isNarrow(points.position[q.v]);
 }
 
-/// The triangle's FlipsAhead::faces, made if it is not known.
+/// The triangle's RepairState::facing, made if it is not known.
 const FacingTriangle& facing(const PointSet& points, RepairState& m, Index t) {
-    FacingTriangle& known = m.flipsAhead.faces[t];
+    FacingTriangle& known = m.facing.at[t];
     if (known.cosine == FacingTriangle::kUnknown) known = facingTriangle(points, m.triangles[t]);
     return known;
-}
-
-/// Sides of the queue that are looked at in advance, at once.
-constexpr std::size_t kAhead = 1 << 16;
-/// Fewest of them that are worth a thread of their own.
-constexpr std::size_t kAheadPerThread = 1 << 12;
-
-/// Looks at the next sides of a long queue on all cores. Most edges stay, whatever flips come
-/// before; the others are decided one after the other.
-void lookAhead(const PointSet& points, const RobustThresholds& thresholds, RepairState& m) {
-    const std::size_t count = std::min(kAhead, m.queue.size() - m.queueFront);
-    if (count < 2 * kAheadPerThread) return;
-    FlipsAhead& ahead = m.flipsAhead;
-    const bool known = ahead.points == &points && m.queueFront >= ahead.from &&
-                       m.queueFront < ahead.from + ahead.stays.size();
-    if (known || threadCount(0) < 2) return;
-    ahead.points = &points;
-    ahead.from = m.queueFront;
-    ahead.stays.assign(count, 0);
-    ahead.changed.assign(m.triangles.size(), 0);
-    forEachItem(count, 0, kAheadPerThread, [&](std::size_t i) {
-        const HalfEdge h = m.queue[ahead.from + i];
-        if (h >= m.twin.size() || m.twin[h] == kNone) return;
-        // Of a triangle that changed they are found when it is the edge's turn.
-        const FacingTriangle& left = ahead.faces[h / 3];
-        const FacingTriangle& right = ahead.faces[m.twin[h] / 3];
-        if (clearlyStays(points, thresholds, left, right, quadAt(m, h))) ahead.stays[i] = 1;
-    });
-}
-
-/// True if lookAhead() found that the edge stays, and its two triangles are the same.
-bool stays(const FlipsAhead& ahead, std::size_t place, Index left, Index right) {
-    if (place < ahead.from || place - ahead.from >= ahead.stays.size()) return false;
-    return ahead.stays[place - ahead.from] != 0 && ahead.changed[left] == 0 &&
-           ahead.changed[right] == 0;
 }
 
 /// A conflict may move to triangles that are not examined, and come back: each triangle takes part
@@ -293,15 +257,12 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
                                      RepairState& m) {
     m.conflictFlips.resize(m.triangles.size(), 0);
     if (m.round == 0 && m.queueFront == 0) findSound(points, m);
-    if (m.flipsAhead.points != &points) m.flipsAhead = {&points, {}, 0, {}, {}};
-    m.flipsAhead.faces.resize(m.triangles.size());
+    if (m.facing.points != &points) m.facing = {&points, {}};
+    m.facing.at.resize(m.triangles.size());
     while (m.queueFront < m.queue.size()) {
-        lookAhead(points, thresholds, m);
-        const std::size_t place = m.queueFront++;
-        const HalfEdge h = m.queue[place];
+        const HalfEdge h = m.queue[m.queueFront++];
         // Other steps shorten the list, so that a side in the queue may no longer exist.
         if (h >= m.twin.size() || m.twin[h] == kNone) continue;
-        if (stays(m.flipsAhead, place, h / 3, m.twin[h] / 3)) continue;
         const Quad q = quadAt(m, h);
         const Gain gain = gainOfFlip(points, thresholds, m, h, q);
         if (gain == Gain::None) continue;
@@ -315,7 +276,7 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         ++m.flipped;
         return FlipEvidence{q.u, q.v, q.x, q.y, gain == Gain::Angles};
     }
-    m.flipsAhead = {};
+    m.facing = {};
     return std::nullopt;
 }
 
