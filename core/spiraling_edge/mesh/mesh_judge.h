@@ -13,9 +13,9 @@ namespace se {
 /// The given points as a judge of meshes: equal for every run of them, and for a later check.
 struct MeshJudge {
     /// With positions and types of the file, or of the walls of the options, never derived rims.
-    /// Normals are those of the file if they fit (normalsFit()), where patches contradict each
-    /// other (sidesOf()) the flipped ones turned; else derived ones. Without lists. Set aside are
-    /// points that a mesh need not have: not usable, noise, strays.
+    /// Normals are those of the file if they fit (normalsFit()), the flipped ones among them
+    /// (sidesOf()) turned; else derived ones. Without lists. Set aside are points that a mesh need
+    /// not have: not usable, noise, strays.
     PointSet points;
     InputFacts facts{};
     /// Of a point much nearer to another one than to the rest, that other one; else kNone. Of the
