@@ -280,38 +280,41 @@ std::map<Index, bool> flippedAmong(const OpposingSheets& opposingSheets,
 
 // ---- single points ------------------------------------------------------------------------------
 
-/// Bounds of standsAgainstAll(), chosen on half of the shared sets with normals turned at random,
-/// and judged on the others (docs/doctor.md).
+/// Bounds of votes on single points, chosen on eight shared sets with normals turned at random, and
+/// judged on twelve others (docs/doctor.md).
 struct SingleLimits {
     double steep = 0.70710678118654752;  ///< 45 degrees over or under a point: none beside it.
-    double clear = 0.5;                  ///< 60 degrees: the least that says something.
+    double clear = 0.5;                  ///< 60 degrees: nearer to a right angle is no vote.
     std::size_t least = 6;               ///< Points against it,
     double agreeing = 0.1;               ///< and at most this share of them agree,
     double apart = 0.5;                  ///< and less than this share lie on another sheet.
 };
 constexpr SingleLimits kSingle{};
 
-/// Neighbors of a point by what they say of its side.
+/// Neighbors of a point by their votes on its side.
 struct SideVotes {
+    Index opponent = kNone;  ///< The nearest one against it.
     std::size_t against = 0;
     std::size_t agreeing = 0;
     std::size_t over = 0;   ///< Each over the other's tangent plane, as in a slot,
     std::size_t under = 0;  ///< or under it, as on a plate.
 
-    /// Counts a neighbor in the unit direction `along`; `a` and `b` are the two normals. One is
-    /// mirrored halfway between the points (orientation.h), which holds at edges, where no plane
-    /// goes on.
-    void add(const Vec3& along, const Vec3& a, const Vec3& b) {
+    /// Counts neighbor q in the unit direction `along`, with the normals `a` of the point and `b`
+    /// of q. One is mirrored halfway between them (orientation.h), which holds at edges, where no
+    /// plane goes on.
+    void add(Index q, const Vec3& along, const Vec3& a, const Vec3& b) {
         const double rise = glm::dot(along, a);
         const double back = -glm::dot(along, b);
         if (std::max(std::abs(rise), std::abs(back)) > kSingle.steep) return;
         const double cosine = glm::dot(a - 2.0 * rise * along, b);
         if (std::abs(cosine) < kSingle.clear) return;
         ++(cosine < 0.0 ? against : agreeing);
+        if (cosine < 0.0 && opponent == kNone) opponent = q;
         over += std::min(rise, back) > kClearHeight ? 1U : 0U;
         under += std::max(rise, back) < -kClearHeight ? 1U : 0U;
     }
-    bool isClear() const {
+    /// Nearly all points beside it have the opposite side, and it is none of a second sheet.
+    bool areAgainst() const {
         const auto all = static_cast<double>(against);
         return against >= kSingle.least &&
                static_cast<double>(agreeing) <= kSingle.agreeing * all &&
@@ -319,27 +322,31 @@ struct SideVotes {
     }
 };
 
-/// True if nearly all points beside p have the opposite side, and p is none of a second sheet.
-bool standsAgainstAll(const GivenNormals& given, const std::vector<bool>& flipped, Index p) {
+SideVotes votesOn(const GivenNormals& given, const std::vector<bool>& flipped, Index p) {
     const auto side = [&](Index q) { return flipped[q] ? -given.normal[q] : given.normal[q]; };
     SideVotes votes;
     for (const Index q : given.nearest[p]) {
         const Vec3 offset = given.position[q] - given.position[p];
         const double length = glm::length(offset);
-        if (given.hasNormal(q) && length > 0.0) votes.add(offset / length, side(p), side(q));
+        if (given.hasNormal(q) && length > 0.0) votes.add(q, offset / length, side(p), side(q));
     }
-    return votes.isClear();
+    return votes;
 }
 
-/// Turns single points that sheets say nothing of. What is turned may tell of the next ones: in a
-/// few rounds, all of one by the same sides.
-void turnSinglePoints(const GivenNormals& given, std::vector<bool>& flipped) {
+/// Flips single points that the sheets leave undecided, and unites them with their opponents.
+/// Repeats up to four rounds, since each changes the votes of neighbors; all points of a round are
+/// judged by the sides before it.
+void flipSinglePoints(const GivenNormals& given, std::vector<bool>& flipped, DisjointSets& sheets) {
     constexpr int kRounds = 4;
     std::vector<Index> found;
     for (int round = 0; round < kRounds; ++round) {
         found.clear();
         for (Index p = 0; p < given.size(); ++p) {
-            if (given.hasNormal(p) && standsAgainstAll(given, flipped, p)) found.push_back(p);
+            if (!given.hasNormal(p)) continue;
+            const SideVotes votes = votesOn(given, flipped, p);
+            if (!votes.areAgainst()) continue;
+            found.push_back(p);
+            sheets.unite(p, votes.opponent);
         }
         if (found.empty()) return;
         for (const Index p : found) flipped[p] = !flipped[p];
@@ -362,7 +369,7 @@ Sides sidesOf(const GivenNormals& given) {
         const auto sheet = flipped.find(sheets.find(p));
         sides.flipped[p] = sheet != flipped.end() && sheet->second;
     }
-    turnSinglePoints(given, sides.flipped);
+    flipSinglePoints(given, sides.flipped, sheets);
     for (const auto& [sheet, others] : opposingSheets) {
         for (const Index other : others) sheets.unite(sheet, other);
     }

@@ -13,6 +13,7 @@
 
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/stepper/params.h"
 #include "support/clouds.h"
@@ -199,6 +200,8 @@ TEST_CASE("given normals: a single flipped one is found on a ridge, where no pla
                                         : Vec3(x > 0.0 ? slope.x : -slope.x, 0.0, slope.z));
     }
     CHECK(judgeOf(right).areRight());
+    const std::vector<bool> present(right.position.size(), true);
+    const NeighborLists nearest = nearestPoints(right.position, present, 12, 1).value();
     for (Index row = 1; row + 1 < n; ++row) {
         const Index p = row * n + 6;
         CAPTURE(row);
@@ -207,6 +210,10 @@ TEST_CASE("given normals: a single flipped one is found on a ridge, where no pla
         const MeshJudge judge = judgeOf(file);
         CHECK(judge.facts.flippedNormals == 1);
         CHECK(judge.points.normal[p] == right.normal[p]);
+        // It belongs to the part that it was against.
+        const Sides sides = sidesOf({file.position, file.normal, present, nearest});
+        CHECK(sides.flipped[p]);
+        CHECK(sides.component[p] == sides.component[nearest[p].front()]);
     }
 }
 
@@ -255,11 +262,11 @@ TEST_CASE("given normals: those turned by chance are found, and no others") {
 
 TEST_CASE("given normals: those of shared sets turned by chance are found" *
           doctest::test_suite("long")) {
-    const std::vector<std::vector<std::string>> halves{
+    const std::vector<std::vector<std::string>> groups{
         {"bunny_small", "camel", "coupling", "elephant", "femur", "hippo", "oni", "three_peaks"},
         {"bones", "fandisk", "fin90", "kitten", "nefertiti", "seven_parts", "sphere_even",
          "table1_electron_cloud", "table1_hyperboloid", "torus_knot", "blobs", "brain_piece"}};
-    for (const std::vector<std::string>& names : halves) {
+    for (const std::vector<std::string>& names : groups) {
         TurnedFound sum;
         for (const std::string& name : names) {
             CAPTURE(name);
