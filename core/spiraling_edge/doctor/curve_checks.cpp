@@ -1,6 +1,7 @@
 /// The check of points on curves in one plane, where there is no surface to find: curves with
-/// normals in the plane, or one curve without normals. Curves in space are not told from the slices
-/// of a surface. O(points), and distances from about 256 points where all lie in one plane.
+/// normals in the plane, or one curve without normals. Curves in space cannot be told from the
+/// slices of a surface. O(points), and distances from up to 256 points to all where normals turn in
+/// one plane or a thin curve has none.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +32,7 @@ struct PlanePoints {
 };
 
 PlanePoints planePointsOf(const ExaminedFile& examined) {
-    constexpr std::size_t kFewest = 30;
+    constexpr std::size_t kFewest = 30;  // Lists then have all their 12 entries.
     constexpr double kThickness = 1e-4;  // Of the length: files have five digits or more.
     PlanePoints all{examined, examined.presentPoints()};
     if (all.points.size() < kFewest) return all;
@@ -119,7 +120,7 @@ bool isThin(const PlanePoints& all, const std::vector<Index>& places) {
     for (const Index p : places) {
         const PlaneFit fit =
             planeAt(all.examined.file.position, p, all.examined.nearest()[p].first(kOfLine));
-        ratios.push_back(fit.variance[1] / fit.variance[2]);
+        ratios.push_back(fit.variance[2] > 0.0 ? fit.variance[1] / fit.variance[2] : 1.0);
     }
     return medianOf(ratios) * kLong * kLong <= 1.0;
 }
@@ -135,7 +136,8 @@ double distanceAlong(const PlanePoints& all) {
     return medianOf(distances);
 }
 
-/// True if steps shorter than any between lines (isThin()) lead to all points.
+/// True if steps of at most 3.5 distances along the curve connect all points: shorter than any from
+/// line to line (isThin()).
 bool isConnected(const PlanePoints& all, double along) {
     constexpr double kLongest = 3.5;
     DisjointSets chains(all.examined.size());
@@ -148,7 +150,8 @@ bool isConnected(const PlanePoints& all, double along) {
     return count == 1;
 }
 
-/// True if there are points to the left and to the right of p, as between the lines of a scan.
+/// True if points lie to the left and to the right of p, within 200 distances along the curve and
+/// 45 degrees, as between the lines of a scan.
 bool isBetween(const PlanePoints& all, Index p, double along) {
     constexpr double kReach = 200.0;
     const Vec3 axis = glm::normalize(all.at(all.examined.nearest()[p].back()) - all.at(p));
@@ -179,7 +182,7 @@ bool isOneCurve(const PlanePoints& all) {
 std::optional<Finding> findCurves(const ExaminedFile& examined) {
     const PlanePoints all = planePointsOf(examined);
     if (all.plane == Vec3(0.0)) return std::nullopt;
-    if (!examined.normal().empty()) {
+    if (examined.intake.judge->facts.hasNormals) {
         if (!areCurves(all)) return std::nullopt;
         return findingOf(examined, Severity::Error,
                          "the points lie on curves in one plane, and their normals in that plane, "

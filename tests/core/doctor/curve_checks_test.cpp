@@ -123,6 +123,13 @@ TEST_CASE("doctor: one curve in a plane without normals is found, with corners, 
     checkCurvesAlone(outline(corners, false));
 }
 
+TEST_CASE("doctor: one curve is found though its normals are zero") {
+    PointFile circle = doubles();
+    addArc(circle, 100, 1.0);
+    for (Vec3& n : circle.normal) n = Vec3(0.0);
+    CHECK(areCurves(circle));
+}
+
 TEST_CASE("doctor: lines that can be those of a scan are no curves") {
     for (const double ratio : {4.0, 6.0, 15.0, 60.0, 100.0}) {
         for (const int lines : {2, 3, 12}) {
