@@ -128,7 +128,7 @@ bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& 
     const double margin = 1e-9 * (shapeA.reach + shapeB.reach) * (shapeA.reach + shapeB.reach);
     const bool haveArea = std::abs(glm::dot(shapeA.normal, along)) > margin &&
                           std::abs(glm::dot(shapeB.normal, along)) > margin;
-    // Callers mostly know that the edges of `a` are no answer.
+    // `b` first: the search for conflicts has tested the edges of `a` already.
     return haveArea && (liesBeyondEdge(points, b, shapeB.normal, a, along, margin) ||
                         liesBeyondEdge(points, a, shapeA.normal, b, along, margin));
 }
@@ -158,6 +158,8 @@ bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& sh
     }
     return gap <= shapeA.reach + shapeB.reach;
 }
+
+// Inline, as they are called for each box.
 
 /// The reach of a triangle (LayerShape::reach).
 inline double reachOf(const PointSet& points, const Triangle& t) {

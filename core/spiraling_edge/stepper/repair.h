@@ -45,11 +45,11 @@ struct MeshIndex {
 /// The direction and shape of a triangle that clearlyFaces() by kRough, as most do.
 struct FacingTriangle {
     std::array<float, 3> normal{};  ///< Of unit length.
-    /// Of the least angle; kFacesNot for a triangle that does not face them, kUnknown for one that
-    /// was not tested.
+    /// Cosine of the least angle; kNotFacing if the triangle does not face its normals, kUnknown
+    /// before the test.
     float cosine = kUnknown;
 
-    static constexpr float kFacesNot = 2;
+    static constexpr float kNotFacing = 2;
     static constexpr float kUnknown = 3;
 };
 

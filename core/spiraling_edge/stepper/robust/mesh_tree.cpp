@@ -52,6 +52,7 @@ void MeshTree::Node::setBox(std::size_t place, const Bounds& box) {
 
 /// Around the boxes of all children.
 MeshTree::Bounds MeshTree::Node::all() const {
+    static_assert(kWidth == 4);
     // From kFar on, so that a coordinate that is not a number counts for none.
     const auto least = [](const std::array<float, kWidth>& of) {
         return std::min(std::min(std::min(std::min(kFar, of[0]), of[1]), of[2]), of[3]);
@@ -72,8 +73,8 @@ constexpr std::size_t kMaxLevels = 16;
 /// The triangles of one leaf; kNone for those that it lacks.
 using Group = std::array<Index, MeshTree::kWidth>;
 
-/// The triangles in runs that follow each other in the list, the first corner of each one of the
-/// triangle before it, as in a fan. Runs that are neighbors on a Gray-code curve share a group.
+/// Runs of up to four consecutive triangles, each of whose first corner belongs to the triangle
+/// before it, as in a fan. Runs that are neighbors on a Gray-code curve share a group.
 std::vector<Group> groupsOf(const PointSet& points, std::span<const Triangle> triangles) {
     std::vector<Index> firstOf;
     std::vector<Vec3> place;

@@ -159,7 +159,7 @@ void findSound(const PointSet& points, RepairState& m) {
         FacingTriangle& facing = m.facing.at[t];
         facing = facingTriangle(points, m.triangles[t]);
         rough[t] =
-            facing.cosine == FacingTriangle::kFacesNot && isSteep(points, m.triangles[t], kRough);
+            facing.cosine == FacingTriangle::kNotFacing && isSteep(points, m.triangles[t], kRough);
     });
     if (std::find(rough.begin(), rough.end(), 1) == rough.end()) return;
     const MeshTree& tree = treeOf(points, m);

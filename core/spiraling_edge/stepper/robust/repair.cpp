@@ -31,7 +31,7 @@ void forEachList(Repair& m, const Work& work) {
 }
 
 /// Fewest points that are worth a thread of their own.
-constexpr std::size_t kItemsPerThread = 1 << 15;
+constexpr std::size_t kPointsPerThread = 1 << 15;
 
 /// The side u -> v, if there is exactly one; else kNone.
 HalfEdge onlySide(const EdgeTable& table, Index u, Index v) {
@@ -47,7 +47,7 @@ HalfEdge onlySide(const EdgeTable& table, Index u, Index v) {
 /// RepairState::twin.
 std::vector<HalfEdge> findTwins(const std::vector<Triangle>& triangles, const EdgeTable& table) {
     std::vector<HalfEdge> twin(3 * triangles.size(), kNone);
-    // Found from two sides, or from one of the same triangle: none of these has a twin.
+    // Sides with two opposite ones, or with one in the same triangle: they get no twin.
     std::vector<HalfEdge> shared;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i];
@@ -83,7 +83,7 @@ std::vector<HalfEdge> newestSides(const EdgeTable& table, std::size_t pointCount
 /// RepairState::pinched. Requires twins.
 std::vector<std::uint8_t> findPinched(const RepairState& m, const EdgeTable& table) {
     std::vector<std::uint8_t> pinched(m.sideOf.size());
-    forEachItem(pinched.size(), 0, kItemsPerThread, [&](std::size_t i) {
+    forEachItem(pinched.size(), 0, kPointsPerThread, [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
         Index sides = 0;
         for (HalfEdge h = table.firstFrom(p); h != kNone; h = table.nextFrom(h)) ++sides;

@@ -1,7 +1,8 @@
 /// RobustRules::flip: flips edges where that leaves fewer faults or better angles, one edge at a
 /// time; a flip queues the four edges around it. An edge costs O(triangles at its four points), and
 /// with a search for meetings also those at their neighbors. Most edges stay by a test of their
-/// four points and of the direction of their two triangles, which is found on all cores.
+/// four points and of the direction of their two triangles, which is found on all cores before the
+/// first flip, and for changed triangles when it is needed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,12 +146,12 @@ double squaredDistance(const Vec3& a, const Vec3& b) { return glm::dot(b - a, b 
 
 /// An edge of two triangles clearly within the limits of isSteep() and isFlat(), whose angles are
 /// clearly not better flipped: most edges, at a fraction of the cost. Its margin is far above the
-/// rounding of these values.
+/// rounding of floats.
 bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds,
                   const FacingTriangle& left, const FacingTriangle& right, const Quad& q) {
-    constexpr float kMargin = 1e-6F;
+    constexpr float kMargin = 1e-5F;
     const float now = std::max(left.cosine, right.cosine) + kMargin;
-    if (now > FacingTriangle::kFacesNot) return false;
+    if (now > FacingTriangle::kNotFacing) return false;
     const float along = left.normal[0] * right.normal[0] + left.normal[1] * right.normal[1] +
                         left.normal[2] * right.normal[2];
     if (along < thresholds.flipFlatCosine + double{kMargin}) return false;
@@ -164,7 +165,7 @@ bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds,
 }
 
 /// The triangle's RepairState::facing, made if it is not known.
-const FacingTriangle& facing(const PointSet& points, RepairState& m, Index t) {
+const FacingTriangle& knownFacing(const PointSet& points, RepairState& m, Index t) {
     FacingTriangle& known = m.facing.at[t];
     if (known.cosine == FacingTriangle::kUnknown) known = facingTriangle(points, m.triangles[t]);
     return known;
@@ -193,8 +194,8 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
 
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
                 HalfEdge h, const Quad& q) {
-    const FacingTriangle& left = facing(points, m, h / 3);
-    const FacingTriangle& right = facing(points, m, m.twin[h] / 3);
+    const FacingTriangle& left = knownFacing(points, m, h / 3);
+    const FacingTriangle& right = knownFacing(points, m, m.twin[h] / 3);
     if (clearlyStays(points, thresholds, left, right, q)) return Gain::None;
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return Gain::None;
@@ -242,7 +243,7 @@ void flipEdge(RepairState& m, HalfEdge h, const Quad& q) {
 }  // namespace
 
 FacingTriangle facingTriangle(const PointSet& points, const Triangle& t) {
-    if (!clearlyFaces(points, t, kRough)) return {{}, FacingTriangle::kFacesNot};
+    if (!clearlyFaces(points, t, kRough)) return {{}, FacingTriangle::kNotFacing};
     const Vec3 ab = points.position[t.b] - points.position[t.a];
     const Vec3 ac = points.position[t.c] - points.position[t.a];
     const Vec3 area = glm::cross(ab, ac);
