@@ -293,30 +293,30 @@ constexpr SingleLimits kSingle{};
 
 /// Neighbors of a point by their votes on its side.
 struct SideVotes {
-    Index opponent = kNone;  ///< The nearest one against it.
+    Index opponent = kNone;  ///< The nearest one against it whose list has it, too.
     std::size_t against = 0;
     std::size_t agreeing = 0;
     std::size_t over = 0;   ///< Each over the other's tangent plane, as in a slot,
     std::size_t under = 0;  ///< or under it, as on a plate.
 
-    /// Counts neighbor q in the unit direction `along`, with the normals `a` of the point and `b`
-    /// of q. One is mirrored halfway between them (orientation.h), which holds at edges, where no
-    /// plane goes on.
-    void add(Index q, const Vec3& along, const Vec3& a, const Vec3& b) {
+    /// Counts a neighbor in the unit direction `along`; `a` is the normal of the point, `b` that of
+    /// the neighbor. One is mirrored halfway between them (orientation.h), which holds at edges,
+    /// where no plane goes on.
+    void add(const Vec3& along, const Vec3& a, const Vec3& b) {
         const double rise = glm::dot(along, a);
         const double back = -glm::dot(along, b);
         if (std::max(std::abs(rise), std::abs(back)) > kSingle.steep) return;
         const double cosine = glm::dot(a - 2.0 * rise * along, b);
         if (std::abs(cosine) < kSingle.clear) return;
         ++(cosine < 0.0 ? against : agreeing);
-        if (cosine < 0.0 && opponent == kNone) opponent = q;
         over += std::min(rise, back) > kClearHeight ? 1U : 0U;
         under += std::max(rise, back) < -kClearHeight ? 1U : 0U;
     }
-    /// Nearly all points beside it have the opposite side, and it is none of a second sheet.
+    /// Nearly all points beside it have the opposite side, and it is none of a second sheet, and no
+    /// stray, which no list has.
     bool areAgainst() const {
         const auto all = static_cast<double>(against);
-        return against >= kSingle.least &&
+        return opponent != kNone && against >= kSingle.least &&
                static_cast<double>(agreeing) <= kSingle.agreeing * all &&
                static_cast<double>(std::max(over, under)) < kSingle.apart * all;
     }
@@ -324,11 +324,18 @@ struct SideVotes {
 
 SideVotes votesOn(const GivenNormals& given, const std::vector<bool>& flipped, Index p) {
     const auto side = [&](Index q) { return flipped[q] ? -given.normal[q] : given.normal[q]; };
+    const auto lists = [&](Index q) {
+        const std::span<const Index> list = given.nearest[q];
+        return std::find(list.begin(), list.end(), p) != list.end();
+    };
     SideVotes votes;
     for (const Index q : given.nearest[p]) {
         const Vec3 offset = given.position[q] - given.position[p];
         const double length = glm::length(offset);
-        if (given.hasNormal(q) && length > 0.0) votes.add(q, offset / length, side(p), side(q));
+        if (!given.hasNormal(q) || !(length > 0.0)) continue;
+        const std::size_t before = votes.against;
+        votes.add(offset / length, side(p), side(q));
+        if (votes.opponent == kNone && votes.against > before && lists(q)) votes.opponent = q;
     }
     return votes;
 }

@@ -233,6 +233,16 @@ TEST_CASE("given normals: few points under a dense plate keep their side, and so
     }
 }
 
+TEST_CASE("given normals: nothing is said of the sides of strays") {
+    Random random(8);
+    PointFile file = fibonacciSphere(600);
+    for (int i = 0; i < 40; ++i) {
+        file.position.push_back(random.between(1.3, 1.8) * random.direction());
+        file.normal.push_back(random.direction());
+    }
+    CHECK(judgeOf(file).facts.flippedNormals == 0);
+}
+
 /// How many of the normals turned by chance are found, and how many others are accused.
 struct TurnedFound {
     std::size_t turned = 0;
