@@ -233,13 +233,16 @@ TEST_CASE("given normals: few points under a dense plate keep their side, and so
     }
 }
 
-TEST_CASE("given normals: nothing is said of the sides of strays") {
-    Random random(8);
-    PointFile file = fibonacciSphere(600);
-    for (int i = 0; i < 40; ++i) {
-        file.position.push_back(random.between(1.3, 1.8) * random.direction());
-        file.normal.push_back(random.direction());
+TEST_CASE("given normals: nothing is said of the side of a stray") {
+    PointFile file;
+    for (int i = 0; i < 12 * 12; ++i) {
+        file.position.emplace_back(i % 12, i / 12, 0.0);
+        file.normal.emplace_back(0.0, 0.0, 1.0);
     }
+    // Five spacings beyond the rim, 40 degrees up, against each normal mirrored halfway.
+    const Vec3 along(std::cos(0.7), 0.0, std::sin(0.7));
+    file.position.push_back(Vec3(11.0, 5.5, 0.0) + 5.0 * along);
+    file.normal.push_back(2.0 * along.z * along - Vec3(0.0, 0.0, 1.0));
     CHECK(judgeOf(file).facts.flippedNormals == 0);
 }
 
