@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/scan_lines.h"
 
 namespace se {
 namespace {
@@ -112,19 +113,6 @@ bool areCurves(const PlanePoints& all) {
 
 // ---- one curve without normals ------------------------------------------------------------------
 
-/// True if the eight nearest lie in line, in the median over places.
-bool isThin(const PlanePoints& all, const std::vector<Index>& places) {
-    constexpr std::size_t kOfLine = 8;
-    constexpr double kLong = 4.0;  // Along by across.
-    std::vector<double> ratios;
-    for (const Index p : places) {
-        const PlaneFit fit =
-            planeAt(all.examined.file.position, p, all.examined.nearest()[p].first(kOfLine));
-        ratios.push_back(fit.variance[2] > 0.0 ? fit.variance[1] / fit.variance[2] : 1.0);
-    }
-    return medianOf(ratios) * kLong * kLong <= 1.0;
-}
-
 /// The median distance of a point to the two nearest.
 double distanceAlong(const PlanePoints& all) {
     std::vector<double> distances;
@@ -137,7 +125,7 @@ double distanceAlong(const PlanePoints& all) {
 }
 
 /// True if steps of at most 3.5 distances along the curve connect all points: shorter than any from
-/// line to line (isThin()).
+/// line to line (lieInLines()).
 bool isConnected(const PlanePoints& all, double along) {
     constexpr double kLongest = 3.5;
     DisjointSets chains(all.examined.size());
@@ -169,9 +157,11 @@ bool isBetween(const PlanePoints& all, Index p, double along) {
 
 bool isOneCurve(const PlanePoints& all) {
     constexpr double kMostBetween = 0.25;
-    const std::vector<Index> places = all.places();
+    const ExaminedFile& examined = all.examined;
+    if (!lieInLines(examined.file.position, examined.present(), examined.nearest())) return false;
     const double along = distanceAlong(all);
-    if (!isThin(all, places) || !isConnected(all, along)) return false;
+    if (!isConnected(all, along)) return false;
+    const std::vector<Index> places = all.places();
     const auto between = std::count_if(places.begin(), places.end(),
                                        [&](Index p) { return isBetween(all, p, along); });
     return static_cast<double>(between) <= kMostBetween * static_cast<double>(places.size());

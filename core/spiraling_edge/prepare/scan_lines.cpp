@@ -17,6 +17,16 @@ constexpr double kInLines = 4.0;
 constexpr std::size_t kOfLine = 8;
 constexpr std::size_t kMeasured = 256;
 
+/// About kMeasured of the present points, spread over the file.
+std::vector<Index> measuredOf(const std::vector<bool>& present) {
+    const std::size_t step = std::max<std::size_t>(1, present.size() / kMeasured);
+    std::vector<Index> measured;
+    for (std::size_t p = 0; p < present.size(); p += step) {
+        if (present[p]) measured.push_back(static_cast<Index>(p));
+    }
+    return measured;
+}
+
 std::span<const Index> someNearest(const NeighborLists& nearest, Index p) {
     const std::span<const Index> list = nearest[p];
     return list.first(std::min(list.size(), kOfLine));
@@ -50,22 +60,21 @@ double distanceAcross(std::span<const Vec3> position, const std::vector<bool>& p
 
 }  // namespace
 
+bool lieInLines(std::span<const Vec3> position, const std::vector<bool>& present,
+                const NeighborLists& nearest) {
+    std::vector<double> ratios;
+    for (const Index p : measuredOf(present))
+        ratios.push_back(lineAt(position, p, someNearest(nearest, p)).ratio);
+    return !ratios.empty() && medianOf(ratios) > kInLines;
+}
+
 std::optional<ScanLines> scanLinesOf(std::span<const Vec3> position,
                                      const std::vector<bool>& present,
                                      const NeighborLists& nearest) {
-    const std::size_t step = std::max<std::size_t>(1, present.size() / kMeasured);
-    std::vector<double> ratios;
-    std::vector<Index> measured;
-    for (std::size_t p = 0; p < present.size(); p += step) {
-        if (!present[p]) continue;
-        measured.push_back(static_cast<Index>(p));
-        ratios.push_back(
-            lineAt(position, measured.back(), someNearest(nearest, measured.back())).ratio);
-    }
-    if (ratios.empty() || !(medianOf(ratios) > kInLines)) return std::nullopt;
+    if (!lieInLines(position, present, nearest)) return std::nullopt;
     std::vector<double> along;
     std::vector<double> across;
-    for (const Index p : measured) {
+    for (const Index p : measuredOf(present)) {
         const std::span<const Index> list = someNearest(nearest, p);
         const double each = distanceAcross(position, present, p, lineAt(position, p, list).axis);
         if (each == std::numeric_limits<double>::max() || list.size() < 2) continue;

@@ -19,9 +19,14 @@ struct ScanLines {
 /// the nearest reach from line to line.
 inline constexpr double kThinnedLines = 0.9;
 
-/// Lines of points; nothing where the points do not lie in lines: the eight nearest reach
-/// over four times as far along one axis as across, in the median over places. `nearest`: the 12
-/// nearest of each point; `present` is false for points to leave out. O(points).
+/// True if the eight nearest reach over four times as far along one axis as across, in the median
+/// over about 256 points. `nearest`: the 12 nearest of each point; `present` is false for points to
+/// leave out.
+bool lieInLines(std::span<const Vec3> position, const std::vector<bool>& present,
+                const NeighborLists& nearest);
+
+/// Lines of points; nothing where the points do not lie in lines. Arguments as of lieInLines().
+/// O(points).
 std::optional<ScanLines> scanLinesOf(std::span<const Vec3> position,
                                      const std::vector<bool>& present,
                                      const NeighborLists& nearest);
