@@ -89,6 +89,34 @@ MeshJudge judgeOf(const PointFile& file) {
     return *judge.value();
 }
 
+/// Checks that of right normals that of p, turned, is found alone. Returns the file with it.
+PointFile checkFound(const PointFile& right, Index p) {
+    PointFile file = right;
+    file.normal[p] = -file.normal[p];
+    const MeshJudge judge = judgeOf(file);
+    CHECK(judge.facts.flippedNormals == 1);
+    CHECK(judge.points.normal[p] == right.normal[p]);
+    return file;
+}
+
+/// How many of the normals turned by chance are found, and how many others are accused.
+struct TurnedFound {
+    std::size_t turned = 0;
+    std::size_t found = 0;
+    std::size_t accused = 0;
+
+    void add(const PointFile& right) {
+        const auto [file, isTurned] = turnedByChance(right);
+        const MeshJudge judge = judgeOf(file);
+        for (Index p = 0; p < right.normal.size(); ++p) {
+            if (glm::length(right.normal[p]) == 0.0) continue;
+            turned += isTurned[p] ? 1U : 0U;
+            const bool changed = glm::dot(judge.points.normal[p], file.normal[p]) < 0.0;
+            (isTurned[p] ? found : accused) += changed ? 1U : 0U;
+        }
+    }
+};
+
 }  // namespace
 
 TEST_CASE(
@@ -179,11 +207,7 @@ TEST_CASE("given normals: a single flipped one is found beside the edges of a pa
         const bool atCorner = (p % n == 0 || p % n == n - 1) && (p / n == 0 || p / n == n - 1);
         if (atCorner) continue;
         CAPTURE(p);
-        PointFile file = right;
-        file.normal[p] = -file.normal[p];
-        const MeshJudge judge = judgeOf(file);
-        CHECK(judge.facts.flippedNormals == 1);
-        CHECK(judge.points.normal[p] == right.normal[p]);
+        checkFound(right, p);
     }
 }
 
@@ -205,11 +229,7 @@ TEST_CASE("given normals: a single flipped one is found on a ridge, where no pla
     for (Index row = 1; row + 1 < n; ++row) {
         const Index p = row * n + 6;
         CAPTURE(row);
-        PointFile file = right;
-        file.normal[p] = -file.normal[p];
-        const MeshJudge judge = judgeOf(file);
-        CHECK(judge.facts.flippedNormals == 1);
-        CHECK(judge.points.normal[p] == right.normal[p]);
+        const PointFile file = checkFound(right, p);
         // It belongs to the part that it was against.
         const Sides sides = sidesOf({file.position, file.normal, present, nearest});
         CHECK(sides.flipped[p]);
@@ -245,24 +265,6 @@ TEST_CASE("given normals: nothing is said of the side of a stray") {
     file.normal.push_back(2.0 * along.z * along - Vec3(0.0, 0.0, 1.0));
     CHECK(judgeOf(file).facts.flippedNormals == 0);
 }
-
-/// How many of the normals turned by chance are found, and how many others are accused.
-struct TurnedFound {
-    std::size_t turned = 0;
-    std::size_t found = 0;
-    std::size_t accused = 0;
-
-    void add(const PointFile& right) {
-        const auto [file, isTurned] = turnedByChance(right);
-        const MeshJudge judge = judgeOf(file);
-        for (Index p = 0; p < right.normal.size(); ++p) {
-            if (glm::length(right.normal[p]) == 0.0) continue;
-            turned += isTurned[p] ? 1U : 0U;
-            const bool changed = glm::dot(judge.points.normal[p], file.normal[p]) < 0.0;
-            (isTurned[p] ? found : accused) += changed ? 1U : 0U;
-        }
-    }
-};
 
 TEST_CASE("given normals: those turned by chance are found, and no others") {
     TurnedFound sum;
